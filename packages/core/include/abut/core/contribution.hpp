@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/scatter.hpp"
+#include "abut/core/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace abut {
+
+/// Values that physics reads: of every mesh node on this rank, owned nodes first, then ghosts.
+struct NodalFields {
+  const double* u = nullptr; ///< (N, fields) unknowns; the displacement comes first [length]
+  int fields = 0;            ///< unknowns per node
+  double time = 0.0;         ///< load parameter
+};
+
+/// Cells as lists of global mesh node ids, in CRS form: cell i has the nodes
+/// nodes[offsets[i]] .. nodes[offsets[i+1]-1].
+struct Connectivity {
+  std::vector<Local> offsets{0};
+  std::vector<Global> nodes;
+
+  Local cells() const { return static_cast<Local>(offsets.size()) - 1; }
+  Local size(Local cell) const { return offsets[cell + 1] - offsets[cell]; }
+  void add(const Global* first, Local count) {
+    nodes.insert(nodes.end(), first, first + count);
+    offsets.push_back(static_cast<Local>(nodes.size()));
+  }
+  void clear() {
+    offsets.assign(1, 0);
+    nodes.clear();
+  }
+};
+
+/// A sum of small dense blocks over cells of a few nodes: the one thing that assembly knows of any
+/// physics (solid, contact, loads). Residuals have the sign of internal force minus external force.
+class Contribution {
+ public:
+  virtual ~Contribution() = default;
+
+  virtual const char* name() const = 0;
+
+  /// Brings everything that depends on the configuration up to date (search, pairs, ghosts) before
+  /// residual and tangent are asked. Collective. Called once for every new u.
+  virtual void prepare(const NodalFields&) {}
+
+  /// Cells of this rank, valid after prepare. `connectivity_version` grows with every change.
+  virtual const Connectivity& connectivity() const = 0;
+  virtual long connectivity_version() const { return 0; }
+
+  /// Cells to reserve room for in the matrix pattern: a superset of connectivity() that still holds
+  /// after some motion, so that the pattern lives for many iterations.
+  virtual const Connectivity& candidates() const { return connectivity(); }
+
+  /// Adds each cell's residual (n*fields). Throws SolveError (inverted element).
+  virtual void residual(const NodalFields&, const ResidualScatter&) = 0;
+
+  /// Adds each cell's tangent (n*fields)^2, the derivative of residual with respect to u.
+  virtual void tangent(const NodalFields&, const TangentScatter&) = 0;
+
+  /// Whether the tangent is symmetric.
+  virtual bool symmetric() const { return true; }
+
+  /// Whether it holds internal forces of bodies: their size is what residuals are compared with.
+  virtual bool internal_force() const { return false; }
+
+  virtual void accept() {} ///< the step converged: trial state becomes history
+  virtual void reject() {} ///< the step failed: trial state is dropped
+};
+
+} // namespace abut

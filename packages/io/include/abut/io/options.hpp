@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace abut::io {
+
+enum class Files {
+  automatic, ///< one file up to 200,000 nodes or on one rank, per rank beyond
+  one,
+  per_rank,
+};
+
+struct OutputOptions {
+  std::string name; ///< file name without folder and extension; empty: the deck's name
+  Files files = Files::automatic;
+  int every = 1;    ///< write every n-th converged step; the last one always
+};
+
+} // namespace abut::io

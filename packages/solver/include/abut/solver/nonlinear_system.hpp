@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/trilinos_fwd.hpp"
+
+#include <string>
+
+namespace abut::solver {
+
+/// What Newton needs of a discretised problem f(x) = 0. Newton knows nothing of contact or elements.
+/// Every member is collective. residual and tangent may throw SolveError (inverted element, lost
+/// pair): a line search then shortens the step, a load step is tried again smaller.
+class NonlinearSystem {
+ public:
+  virtual ~NonlinearSystem() = default;
+
+  virtual RCP<const Map> map() const = 0;
+
+  /// f(x): internal minus external force; zero in constrained rows.
+  virtual void residual(const Vector& x, Vector& f) = 0;
+
+  /// df/dx at x. Constrained rows and columns hold only their diagonal. The graph may change from
+  /// one call to the next, `graph_version` then grows; the values belong to the system.
+  virtual RCP<const Matrix> tangent(const Vector& x) = 0;
+  virtual long graph_version() const = 0;
+  virtual bool symmetric() const = 0;
+
+  /// Size of the forces that balance in the last residual, reactions and external forces included:
+  /// what a residual norm is compared with. [force]
+  virtual double reference_force() const = 0;
+
+  /// For multigrid: unknowns come in rows of this many per node.
+  virtual int unknowns_per_node() const { return 1; }
+  /// coordinates of the nodes behind the unknowns (local unknowns / unknowns_per_node, 3), or empty.
+  virtual const double* node_coordinates() const { return nullptr; }
+
+  // --- load steps ---
+
+  /// Sets loads and prescribed values to load parameter t.
+  virtual void set_time(double t) = 0;
+  /// Right-hand side of the predictor: tangent(x) dx = rhs moves the free unknowns along with the
+  /// prescribed ones from the equilibrium x of the last step to the loads of the present time.
+  virtual void predictor(const Vector& x, Vector& rhs) = 0;
+  /// Overwrites the constrained entries of x by their prescribed values.
+  virtual void apply_constraints(Vector& x) = 0;
+  virtual void accept(const Vector& x) = 0; ///< the step converged: trial state becomes history
+  virtual void reject() = 0;                ///< the step failed: trial state is dropped
+};
+
+/// What one augmentation did. See AugmentCallback.
+struct AugmentReport {
+  bool converged = true;    ///< no further solve is needed
+  bool stalled = false;     ///< plateau: further augmentations change nothing; stop, with reason
+  double change = 0.0;      ///< relative change of the multipliers [1]
+  double gap = 0.0;         ///< largest penetration over face size [1]
+  std::string reason;       ///< one sentence, for the log
+};
+
+} // namespace abut::solver

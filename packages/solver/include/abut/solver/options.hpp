@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace abut::solver {
+
+enum class LinearMethod {
+  automatic, ///< direct below `direct_limit` unknowns, Krylov beyond
+  direct,    ///< MUMPS
+  krylov,    ///< Belos: CG for a symmetric operator, GMRES otherwise
+};
+enum class Preconditioner { automatic, muelu, ilu };
+enum class LineSearch { automatic, none };
+
+struct LinearOptions {
+  LinearMethod method = LinearMethod::automatic;
+  long long direct_limit = 75000;
+  Preconditioner preconditioner = Preconditioner::automatic;
+  double tolerance = 1e-8; ///< of a Krylov solve, relative residual [1]
+  int max_iterations = 500;
+  /// Trilinos parameter lists as XML text, merged over abut's own: Belos, MueLu, Ifpack2.
+  std::string belos, muelu, ifpack2;
+};
+
+struct NewtonOptions {
+  double tolerance = 1e-8;    ///< residual over reference force [1]
+  int max_iterations = 25;
+  LineSearch line_search = LineSearch::automatic;
+  std::string nox; ///< NOX parameter list as XML text, merged over abut's own
+};
+
+/// Load parameter t from 0 to `end`.
+struct TimeOptions {
+  double end = 1.0;
+  int steps = 1;              ///< equal steps to start with
+  bool adaptive = true;       ///< grow again after a cut, and cut after a failed step
+  double min_fraction = 1e-3; ///< smallest step as a fraction of end/steps
+  int max_cuts = 8;           ///< in a row, on one step
+  int target_iterations = 10; ///< Newton iterations of a step that keeps its size
+};
+
+} // namespace abut::solver
