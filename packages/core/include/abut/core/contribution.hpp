@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/core/scatter.hpp"
+#include "abut/core/timers.hpp"
 #include "abut/core/types.hpp"
 
 #include <string>
@@ -41,9 +42,10 @@ class Contribution {
   virtual ~Contribution() = default;
 
   virtual const char* name() const = 0;
+  virtual Phase phase() const { return Phase::solid; } ///< whose time its evaluation counts as
 
   /// Brings everything that depends on the configuration up to date (search, pairs, ghosts) before
-  /// residual and tangent are asked. Collective. Called once for every new u.
+  /// residual and tangent are asked. Collective. Called once for every new u or time.
   virtual void prepare(const NodalFields&) {}
 
   /// Cells of this rank, valid after prepare. `connectivity_version` grows with every change.

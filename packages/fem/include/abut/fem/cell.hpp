@@ -41,6 +41,8 @@ constexpr int face_nodes(FaceType t) {
 constexpr int face_corners(FaceType t) {
   return t == FaceType::tri3 || t == FaceType::tri6 ? 3 : 4;
 }
-constexpr bool is_triangle(FaceType t) { return face_corners(t) == 3; }
+constexpr bool is_triangle(FaceType t) {
+  return face_corners(t) == 3;
+}
 
 } // namespace abut::fem

@@ -56,6 +56,13 @@ struct Mesh {
 /// element stay with the root.
 Mesh distribute(const MeshData& data, const Comm& comm);
 
+/// The whole mesh on the root in the order of the input, with number maps and sorted sets; an
+/// empty one on the other ranks. Collective.
+MeshData gather(const Mesh& mesh);
+
+/// This rank's part as a mesh of its own: local nodes, blocks (perhaps empty), number maps, sets.
+MeshData local_part(const Mesh& mesh);
+
 /// Sends rank-local values of nodes from their owners to the ranks that hold them as ghosts.
 class GhostExchange {
  public:

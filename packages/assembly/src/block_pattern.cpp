@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/assembly/block_pattern.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/core/trilinos.hpp"
+
+#include <algorithm>
+
+namespace abut::assembly {
+
+using Block = std::pair<Global, Global>;
+
+struct BlockPattern::Blocks {
+  std::vector<Block> owned, shared;
+  std::vector<Global> nodes; ///< distinct mesh nodes of the cells
+  std::vector<Global> rows;  ///< their global block rows
+};
+
+namespace {
+
+void sort_unique(std::vector<Block>& blocks) {
+  std::sort(blocks.begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+}
+
+/// Neighbours of each owned or shared row, as sorted distinct pairs, from the cells of this rank.
+void local_blocks(const std::vector<const Connectivity*>& all,
+                  const std::unordered_map<Global, Global>& row_of, Global first, Global end,
+                  std::vector<Block>& owned, std::vector<Block>& shared) {
+  std::vector<Global> rows;
+  std::size_t limit = std::size_t(1) << 24; // keeps memory near that of the distinct pairs
+  for (const Connectivity* cells : all)
+    for (Local c = 0; c < cells->cells(); ++c) {
+      rows.clear();
+      for (Local s = cells->offsets[c]; s < cells->offsets[c + 1]; ++s) {
+        const Global r = row_of.at(cells->nodes[s]);
+        if (r >= 0) rows.push_back(r);
+      }
+      for (Global r : rows) {
+        auto& list = r >= first && r < end ? owned : shared;
+        for (Global k : rows) list.emplace_back(r, k);
+      }
+      if (owned.size() > limit) {
+        sort_unique(owned);
+        limit = std::max(limit, 2 * owned.size());
+      }
+    }
+  sort_unique(owned);
+  sort_unique(shared);
+}
+
+} // namespace
+
+void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
+  const Comm& comm = dofs_.mesh().comm;
+  const Global first = dofs_.first_row(), end = first + dofs_.num_rows();
+  Blocks b;
+  for (const Connectivity* c : cells) b.nodes.insert(b.nodes.end(), c->nodes.begin(), c->nodes.end());
+  std::sort(b.nodes.begin(), b.nodes.end());
+  b.nodes.erase(std::unique(b.nodes.begin(), b.nodes.end()), b.nodes.end());
+  b.rows = dofs_.resolve(b.nodes);
+  std::unordered_map<Global, Global> row_of(2 * b.nodes.size());
+  for (std::size_t i = 0; i < b.nodes.size(); ++i) row_of[b.nodes[i]] = b.rows[i];
+
+  local_blocks(cells, row_of, first, end, b.owned, b.shared);
+  std::vector<std::vector<Global>> send(static_cast<std::size_t>(comm.size()));
+  for (const Block& p : b.shared) {
+    auto& list = send[static_cast<std::size_t>(dofs_.owner_of_row(p.first))];
+    list.push_back(p.first);
+    list.push_back(p.second);
+  }
+  for (const auto& list : comm.exchange(send))
+    for (std::size_t i = 0; i < list.size(); i += 2) b.owned.emplace_back(list[i], list[i + 1]);
+  for (Global r = first; r < end; ++r) b.owned.emplace_back(r, r);
+  sort_unique(b.owned);
+
+  number_columns(b);
+  plan_exchange();
+  build_graph();
+  ++version_;
+}
+
+void BlockPattern::number_columns(const Blocks& b) {
+  const Global first = dofs_.first_row(), end = first + dofs_.num_rows();
+  const Local owned_rows = dofs_.num_rows();
+  std::vector<Global> ghosts;
+  const auto note = [&](Global r) {
+    if (r >= 0 && (r < first || r >= end)) ghosts.push_back(r);
+  };
+  for (const Block& p : b.owned) note(p.second);
+  for (Global r : b.rows) note(r);
+  std::sort(ghosts.begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+
+  column_row_.resize(static_cast<std::size_t>(owned_rows));
+  for (Local r = 0; r < owned_rows; ++r) column_row_[r] = first + r;
+  column_row_.insert(column_row_.end(), ghosts.begin(), ghosts.end());
+  const auto column = [&](Global r) -> Local {
+    if (r < 0) return -1;
+    if (r >= first && r < end) return static_cast<Local>(r - first);
+    return owned_rows + static_cast<Local>(std::lower_bound(ghosts.begin(), ghosts.end(), r) -
+                                           ghosts.begin());
+  };
+  column_of_node_.clear();
+  for (std::size_t i = 0; i < b.nodes.size(); ++i) column_of_node_[b.nodes[i]] = column(b.rows[i]);
+
+  row_offset_.assign(1, 0);
+  columns_.clear();
+  shared_row_.clear();
+  row_of_shared_.clear();
+  const auto append = [&](const std::vector<Block>& blocks, bool shared) {
+    for (std::size_t i = 0; i < blocks.size();) {
+      const Global r = blocks[i].first;
+      if (shared) {
+        row_of_shared_[r] = static_cast<Local>(row_offset_.size()) - 1;
+        shared_row_.push_back(r);
+      }
+      const std::size_t begin = columns_.size();
+      for (; i < blocks.size() && blocks[i].first == r; ++i)
+        columns_.push_back(column(blocks[i].second));
+      std::sort(columns_.begin() + static_cast<std::ptrdiff_t>(begin), columns_.end());
+      row_offset_.push_back(static_cast<std::int64_t>(columns_.size()));
+    }
+  };
+  append(b.owned, false);
+  append(b.shared, true);
+  row_length_.resize(static_cast<std::size_t>(num_rows()));
+  for (Local r = 0; r < num_rows(); ++r)
+    row_length_[r] = static_cast<Local>(row_offset_[r + 1] - row_offset_[r]) * dofs_.fields();
+}
+
+std::int64_t BlockPattern::num_values() const {
+  return static_cast<std::int64_t>(columns_.size()) * dofs_.fields() * dofs_.fields();
+}
+
+std::int64_t BlockPattern::num_owned_values() const {
+  return row_offset_[static_cast<std::size_t>(dofs_.num_rows())] * dofs_.fields() * dofs_.fields();
+}
+
+/// First scalar value of block (row, column), or -1 when the pattern does not hold it.
+std::int64_t BlockPattern::position(Local row, Local column) const {
+  const auto begin = columns_.begin() + row_offset_[row], end = columns_.begin() + row_offset_[row + 1];
+  const auto it = std::lower_bound(begin, end, column);
+  if (it == end || *it != column) return -1;
+  const int f = dofs_.fields();
+  return row_offset_[row] * f * f + (it - begin) * f;
+}
+
+bool BlockPattern::locate(const Connectivity& cells, CellPositions& out) const {
+  const Local owned_rows = dofs_.num_rows();
+  out.row.resize(cells.nodes.size());
+  out.block_offset.assign(1, 0);
+  out.block_position.clear();
+  std::vector<Local> column;
+  for (Local c = 0; c < cells.cells(); ++c) {
+    const Local first = cells.offsets[c], n = cells.size(c);
+    column.resize(static_cast<std::size_t>(n));
+    for (Local a = 0; a < n; ++a) {
+      const auto it = column_of_node_.find(cells.nodes[first + a]);
+      if (it == column_of_node_.end()) return false;
+      column[a] = it->second;
+      Local row = column[a];
+      if (row >= owned_rows) {
+        const auto shared = row_of_shared_.find(column_row_[row]);
+        if (shared == row_of_shared_.end()) return false;
+        row = shared->second;
+      }
+      out.row[first + a] = row;
+    }
+    for (Local a = 0; a < n; ++a)
+      for (Local b = 0; b < n; ++b) {
+        std::int64_t p = -1;
+        if (column[a] >= 0 && column[b] >= 0) {
+          p = position(out.row[first + a], column[b]);
+          if (p < 0) return false;
+        }
+        out.block_position.push_back(p);
+      }
+    out.block_offset.push_back(static_cast<std::int64_t>(out.block_position.size()));
+  }
+  return true;
+}
+
+void BlockPattern::plan_exchange() {
+  const Comm& comm = dofs_.mesh().comm;
+  const auto ranks = static_cast<std::size_t>(comm.size());
+  const Local owned_rows = dofs_.num_rows();
+  std::vector<std::vector<Global>> send(ranks); // row, count, columns...
+  send_first_.assign(ranks + 1, 0);
+  for (std::size_t i = 0; i < shared_row_.size(); ++i) {
+    const auto owner = static_cast<std::size_t>(dofs_.owner_of_row(shared_row_[i]));
+    const std::size_t row = static_cast<std::size_t>(owned_rows) + i;
+    send[owner].push_back(shared_row_[i]);
+    send[owner].push_back(row_offset_[row + 1] - row_offset_[row]);
+    for (std::int64_t k = row_offset_[row]; k < row_offset_[row + 1]; ++k)
+      send[owner].push_back(column_row_[columns_[k]]);
+    ++send_first_[owner + 1];
+  }
+  for (std::size_t r = 0; r < ranks; ++r) send_first_[r + 1] += send_first_[r];
+  const auto arrived = comm.exchange(send);
+
+  const Global first = dofs_.first_row(), end = first + owned_rows;
+  const auto ghosts = column_row_.begin() + owned_rows;
+  received_.assign(ranks, {});
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (std::size_t i = 0; i < arrived[r].size();) {
+      const Local row = static_cast<Local>(arrived[r][i++] - first);
+      const auto count = static_cast<Local>(arrived[r][i++]);
+      received_[r].row.push_back(row);
+      received_[r].count.push_back(count);
+      for (Local k = 0; k < count; ++k) {
+        const Global g = arrived[r][i++];
+        const Local column =
+            g >= first && g < end
+                ? static_cast<Local>(g - first)
+                : owned_rows + static_cast<Local>(
+                                   std::lower_bound(ghosts, column_row_.end(), g) - ghosts);
+        received_[r].position.push_back(position(row, column));
+        ABUT_REQUIRE(received_[r].position.back() >= 0, "a shared block is missing at its owner");
+      }
+    }
+}
+
+void BlockPattern::add_shared_values(double* values) const {
+  const Comm& comm = dofs_.mesh().comm;
+  if (comm.size() == 1) return;
+  const int f = dofs_.fields();
+  const Local owned_rows = dofs_.num_rows();
+  std::vector<std::vector<double>> send(received_.size());
+  for (std::size_t r = 0; r < send.size(); ++r) {
+    const double* begin = values + row_offset_[owned_rows + send_first_[r]] * f * f;
+    const double* end = values + row_offset_[owned_rows + send_first_[r + 1]] * f * f;
+    send[r].assign(begin, end);
+  }
+  const auto arrived = comm.exchange(send);
+  for (std::size_t r = 0; r < arrived.size(); ++r) {
+    const double* in = arrived[r].data();
+    const std::int64_t* position = received_[r].position.data();
+    for (std::size_t i = 0; i < received_[r].row.size(); ++i) {
+      const Local length = row_length_[received_[r].row[i]], count = received_[r].count[i];
+      for (int d = 0; d < f; ++d)
+        for (Local k = 0; k < count; ++k)
+          for (int g = 0; g < f; ++g) values[position[k] + std::int64_t(d) * length + g] += *in++;
+      position += count;
+    }
+  }
+}
+
+void BlockPattern::add_shared_residual(double* residual) const {
+  const Comm& comm = dofs_.mesh().comm;
+  if (comm.size() == 1) return;
+  const int f = dofs_.fields();
+  const double* shared = residual + std::int64_t(dofs_.num_rows()) * f;
+  std::vector<std::vector<double>> send(received_.size());
+  for (std::size_t r = 0; r < send.size(); ++r)
+    send[r].assign(shared + std::int64_t(send_first_[r]) * f,
+                   shared + std::int64_t(send_first_[r + 1]) * f);
+  const auto arrived = comm.exchange(send);
+  for (std::size_t r = 0; r < arrived.size(); ++r)
+    for (std::size_t i = 0; i < received_[r].row.size(); ++i)
+      for (int d = 0; d < f; ++d)
+        residual[std::int64_t(received_[r].row[i]) * f + d] += arrived[r][i * std::size_t(f) + d];
+}
+
+void BlockPattern::build_graph() {
+  const int f = dofs_.fields();
+  const Local owned_rows = dofs_.num_rows();
+  using LocalGraph = Graph::local_graph_device_type;
+  LocalGraph::row_map_type::non_const_type offsets("abut::assembly::offsets",
+                                                   static_cast<std::size_t>(owned_rows) * f + 1);
+  LocalGraph::entries_type::non_const_type entries(
+      "abut::assembly::entries", static_cast<std::size_t>(num_owned_values()));
+  const auto host_offsets = Kokkos::create_mirror_view(offsets);
+  const auto host_entries = Kokkos::create_mirror_view(entries);
+  std::size_t p = 0;
+  host_offsets(0) = 0;
+  for (Local r = 0; r < owned_rows; ++r)
+    for (int d = 0; d < f; ++d) {
+      for (std::int64_t k = row_offset_[r]; k < row_offset_[r + 1]; ++k)
+        for (int g = 0; g < f; ++g) host_entries(p++) = columns_[k] * f + g;
+      host_offsets(std::size_t(r) * f + d + 1) = p;
+    }
+  Kokkos::deep_copy(offsets, host_offsets);
+  Kokkos::deep_copy(entries, host_entries);
+
+  std::vector<Global> column_ids;
+  column_ids.reserve(column_row_.size() * static_cast<std::size_t>(f));
+  for (Global r : column_row_)
+    for (int g = 0; g < f; ++g) column_ids.push_back(r * f + g);
+  const auto map = dofs_.map();
+  const RCP<const Map> columns = rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                                             Teuchos::ArrayView<const Global>(column_ids), 0,
+                                             map->getComm()));
+  const auto graph = rcp(new Graph(map, columns, offsets, entries));
+  graph->expertStaticFillComplete(map, map);
+  graph_ = graph;
+}
+
+} // namespace abut::assembly

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/contact/facing_surface.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/fem/face_map.hpp"
+#include "abut/fem/quadrature.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+namespace abut::contact {
+
+using search::Box;
+
+std::vector<double> face_sizes(const mesh::Surface& s) {
+  std::vector<double> sizes;
+  for (Local f = 0; f < s.num_faces(); ++f) {
+    Vec3 x[fem::max_face_nodes];
+    for (Local a = s.offset[f]; a < s.offset[f + 1]; ++a)
+      for (int i = 0; i < 3; ++i) x[a - s.offset[f]][i] = s.x[std::size_t(s.nodes[a]) * 3 + i];
+    const fem::Rule<2> rule = fem::face_rule(s.type[f], 2);
+    double area = 0.0;
+    for (int p = 0; p < rule.size(); ++p) {
+      fem::FacePoint<double> point;
+      fem::face_point(s.type[f], x, rule.xi[p].data(), point);
+      area += rule.weight[p] * norm(cross(point.tangent[0], point.tangent[1]));
+    }
+    sizes.push_back(std::sqrt(area));
+  }
+  return sizes;
+}
+
+FacingSurface::FacingSurface(const Comm& comm, const mesh::Surface& own, double reach)
+    : comm_(comm), own_(own), reach_(reach) {}
+
+namespace {
+
+/// A face on its way to another rank, followed by its node ids.
+struct FaceRecord {
+  Global face_id;
+  int type;
+  int nodes;
+  double size, modulus, inverse_depth;
+};
+
+} // namespace
+
+void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<Box<3>>& wanted) {
+  const auto ranks = static_cast<std::size_t>(comm_.size());
+  std::vector<double> packed;
+  for (const Box<3>& b : wanted) {
+    packed.insert(packed.end(), b.low, b.low + 3);
+    packed.insert(packed.end(), b.high, b.high + 3);
+  }
+  const auto counts = comm_.all_gather(static_cast<Global>(wanted.size()));
+  packed = comm_.all_gather(packed);
+
+  const std::vector<double> sizes = face_sizes(own_);
+  std::vector<std::vector<FaceRecord>> faces(ranks);
+  std::vector<std::vector<Global>> face_nodes(ranks), nodes(ranks);
+  send_nodes_.assign(ranks, {});
+  std::size_t first = 0;
+  for (std::size_t r = 0; r < ranks; ++r) {
+    std::vector<char> taken(own_.node.size(), 0);
+    for (Local f = 0; f < own_.num_faces(); ++f) {
+      Box<3> box = Box<3>::empty();
+      for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a)
+        box.add(&x_own[std::size_t(own_.nodes[a]) * 3]);
+      box.inflate(reach_ * sizes[f]);
+      bool near = false;
+      for (std::size_t k = first; k < first + std::size_t(counts[r]) && !near; ++k) {
+        Box<3> other;
+        for (int i = 0; i < 3; ++i) {
+          other.low[i] = packed[6 * k + std::size_t(i)];
+          other.high[i] = packed[6 * k + 3 + std::size_t(i)];
+        }
+        near = box.overlaps(other);
+      }
+      if (!near) continue;
+      const Local n = own_.offset[f + 1] - own_.offset[f];
+      faces[r].push_back({own_.face_id[f], static_cast<int>(own_.type[f]), n, sizes[f],
+                          own_.modulus[f], own_.inverse_depth[f]});
+      for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a) {
+        const Local node = own_.nodes[a];
+        face_nodes[r].push_back(own_.node[node]);
+        if (taken[node]) continue;
+        taken[node] = 1;
+        send_nodes_[r].push_back(node);
+        nodes[r].push_back(own_.node[node]);
+      }
+    }
+    first += std::size_t(counts[r]);
+  }
+  const auto in_faces = comm_.exchange(faces);
+  const auto in_face_nodes = comm_.exchange(face_nodes);
+  const auto in_nodes = comm_.exchange(nodes);
+
+  node_.clear();
+  receive_nodes_.assign(ranks, {});
+  std::unordered_map<Global, Local> index;
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (Global g : in_nodes[r]) {
+      const auto [it, is_new] = index.try_emplace(g, static_cast<Local>(node_.size()));
+      if (is_new) node_.push_back(g);
+      receive_nodes_[r].push_back(it->second);
+    }
+  struct Arrived {
+    FaceRecord face;
+    const Global* nodes;
+  };
+  std::vector<Arrived> all;
+  for (std::size_t r = 0; r < ranks; ++r) {
+    const Global* p = in_face_nodes[r].data();
+    for (const FaceRecord& f : in_faces[r]) {
+      all.push_back({f, p});
+      p += f.nodes;
+    }
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Arrived& a, const Arrived& b) { return a.face.face_id < b.face.face_id; });
+  type_.clear(), face_id_.clear(), size_.clear(), modulus_.clear(), inverse_depth_.clear();
+  offset_.assign(1, 0);
+  face_nodes_.clear();
+  for (const Arrived& a : all) {
+    type_.push_back(static_cast<fem::FaceType>(a.face.type));
+    face_id_.push_back(a.face.face_id);
+    size_.push_back(a.face.size);
+    modulus_.push_back(a.face.modulus);
+    inverse_depth_.push_back(a.face.inverse_depth);
+    for (int k = 0; k < a.face.nodes; ++k) face_nodes_.push_back(index.at(a.nodes[k]));
+    offset_.push_back(static_cast<Local>(face_nodes_.size()));
+  }
+  largest_size_ = size_.empty() ? 0.0 : *std::max_element(size_.begin(), size_.end());
+  x_.assign(node_.size() * 3, 0.0);
+  tree_ = {};
+  update(x_own);
+}
+
+void FacingSurface::update(const std::vector<double>& x_own) {
+  std::vector<std::vector<double>> send(send_nodes_.size());
+  for (std::size_t r = 0; r < send.size(); ++r)
+    for (Local n : send_nodes_[r])
+      send[r].insert(send[r].end(), &x_own[std::size_t(n) * 3], &x_own[std::size_t(n) * 3] + 3);
+  const auto arrived = comm_.exchange(send);
+  for (std::size_t r = 0; r < arrived.size(); ++r)
+    for (std::size_t k = 0; k < receive_nodes_[r].size(); ++k)
+      std::copy_n(&arrived[r][3 * k], 3, &x_[std::size_t(receive_nodes_[r][k]) * 3]);
+
+  std::vector<Box<3>> boxes;
+  for (Local f = 0; f < num_faces(); ++f) {
+    boxes.push_back(box(f));
+    boxes.back().inflate(0.05 * size_[f]); // a projection may lie a little outside; faces may bulge
+  }
+  if (tree_.size() == num_faces())
+    tree_.refit(boxes);
+  else
+    tree_.build(boxes);
+}
+
+Box<3> FacingSurface::box(Local face) const {
+  Box<3> b = Box<3>::empty();
+  for (Local a = offset_[face]; a < offset_[face + 1]; ++a)
+    b.add(&x_[std::size_t(face_nodes_[a]) * 3]);
+  return b;
+}
+
+void FacingSurface::coordinates(Local face, Vec3* y) const {
+  for (Local a = offset_[face]; a < offset_[face + 1]; ++a, ++y)
+    for (int i = 0; i < 3; ++i) (*y)[i] = x_[std::size_t(face_nodes_[a]) * 3 + i];
+}
+
+void FacingSurface::global_nodes(Local face, Global* nodes) const {
+  for (Local a = offset_[face]; a < offset_[face + 1]; ++a) *nodes++ = node_[face_nodes_[a]];
+}
+
+} // namespace abut::contact
