@@ -1,24 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Finds what abut stands on and gives each a target of one name, whatever the distribution does.
-find_package(MPI REQUIRED COMPONENTS C CXX)
-find_package(Trilinos REQUIRED COMPONENTS Tpetra Kokkos Teuchos Thyra ThyraTpetraAdapters NOX Belos
-  Ifpack2 MueLu Zoltan2 Sacado)
+include(AbutTrilinos)
 find_package(ExodusII REQUIRED)
 find_package(MUMPS REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-
-if(NOT TARGET abut::trilinos)
-  # Plain library lists up to 13.2, imported targets from 13.4 on.
-  add_library(abut::trilinos INTERFACE IMPORTED)
-  target_include_directories(abut::trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS}
-    ${Trilinos_TPL_INCLUDE_DIRS})
-  if(TARGET Trilinos::all_selected_libs)
-    target_link_libraries(abut::trilinos INTERFACE Trilinos::all_selected_libs)
-  else()
-    target_link_libraries(abut::trilinos INTERFACE ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES})
-  endif()
-  target_link_libraries(abut::trilinos INTERFACE MPI::MPI_CXX)
-endif()

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double pattern_pad = 0.5;  ///< pairs this close, in face sizes, get room in the matrix
 constexpr int summary_levels = 6;    ///< up to 2^6 boxes tell other ranks where this one's faces are
+constexpr double touching = 1e-8;    ///< gap that counts as none in the tangent, in face sizes
 constexpr double round_off = 1e-9;   ///< beside a face by no more than this is on it
 constexpr double outward_share = -1e-2; ///< cosine between normals below which faces oppose
 
@@ -222,6 +223,7 @@ void Interaction::project(Local face, int p) {
   if (best.face < 0) {
     state.gap = own_reach;
     state.pressure = 0.0;
+    state.active = false;
     return;
   }
   state.xi[0] = best.xi[0];
@@ -229,6 +231,8 @@ void Interaction::project(Local face, int p) {
   state.gap = best.gap;
   state.penalty = penalty_of(face, best.face);
   state.pressure = contact_pressure(state.multiplier, state.penalty, state.gap);
+  // At the kink itself the stiff side of the derivative is taken: bodies that just touch hold.
+  state.active = state.multiplier - state.penalty * (state.gap - touching * size_[face]) > 0.0;
 }
 
 /// eps = f E A/V: E of the softer body, A/V of the primary elements, or of the secondary ones when
@@ -247,7 +251,7 @@ void Interaction::build_pairs() {
     const std::size_t first = list.size();
     for (int p = 0; p < face_points(f); ++p) {
       const Local index = point_index(f, p);
-      if (points_[index].pressure <= 0.0) continue;
+      if (!points_[index].active) continue;
       const Local facing = points_[index].facing;
       auto it = std::find_if(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(),
                              [&](const Pair& pair) { return pair.facing == facing; });

@@ -12,21 +12,19 @@ namespace abut::contact {
 namespace {
 constexpr double plateau_ratio = 0.98; ///< an augmentation that leaves more of the gap than this...
 constexpr std::size_t plateau_count = 3; ///< ...so many times in a row changes nothing any more
-constexpr double open_gap_tolerance = 1e-14; ///< penetration that counts as none, in face sizes
 } // namespace
 
-Augmentation Interaction::augment() {
+Augmentation Interaction::augmentation() const {
   double sums[2] = {0.0, 0.0};
   double gap = 0.0;
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
       const Local i = point_index(f, p);
-      PointState& state = points_[i];
-      const double next = state.facing < 0 ? 0.0 : state.pressure; // <lambda - eps gap>
-      sums[0] += weight_[i] * (next - state.multiplier) * (next - state.multiplier);
-      sums[1] += weight_[i] * next * next;
+      const PointState& state = points_[i];
+      const double change = state.pressure - state.multiplier;
+      sums[0] += weight_[i] * change * change;
+      sums[1] += weight_[i] * state.pressure * state.pressure;
       if (state.facing >= 0) gap = std::max(gap, -state.gap / size_[f]);
-      state.multiplier = next;
     }
   comm_.sum(sums, 2);
   Augmentation result;
@@ -34,13 +32,19 @@ Augmentation Interaction::augment() {
   result.change = sums[1] > 0.0 ? std::sqrt(sums[0] / sums[1]) : sums[0] > 0.0 ? 1.0 : 0.0;
   result.converged = result.change <= options_.multiplier_tolerance &&
                      (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance);
-  last_gaps_.push_back(result.gap);
-  bool stalled = last_gaps_.size() > plateau_count && result.gap > open_gap_tolerance;
-  for (std::size_t k = 0; stalled && k < plateau_count; ++k)
-    stalled = last_gaps_[last_gaps_.size() - 1 - k] >
-              plateau_ratio * last_gaps_[last_gaps_.size() - 2 - k];
-  result.stalled = stalled && !result.converged;
+  result.stalled = !result.converged && last_gaps_.size() >= plateau_count;
+  double later = result.gap;
+  for (std::size_t k = 0; result.stalled && k < plateau_count; ++k) {
+    const double earlier = last_gaps_[last_gaps_.size() - 1 - k];
+    result.stalled = later > plateau_ratio * earlier;
+    later = earlier;
+  }
   return result;
+}
+
+void Interaction::augment() {
+  last_gaps_.push_back(augmentation().gap);
+  for (PointState& p : points_) p.multiplier = p.pressure; // pressure is <lambda - eps gap>
 }
 
 double Interaction::current_area_ratio(Local face, int point) const {
@@ -159,6 +163,23 @@ ContactSummary Interaction::summary() const {
   const NodalSums nodes = nodal_sums();
   s.max_pressure = largest_average(comm_, primary_.node, nodes.weight, nodes.pressure);
   return s;
+}
+
+std::vector<ClosedPoint> Interaction::closed_points() const {
+  std::vector<ClosedPoint> result;
+  for (const Pair& pair : pair_list_) {
+    Vec3 y[fem::max_face_nodes];
+    facing_.coordinates(pair.facing, y);
+    Global nodes[fem::max_face_nodes];
+    facing_.global_nodes(pair.facing, nodes);
+    for (Local p : pair.points) {
+      const Vec3 x = frame(pair.face, p).x;
+      const auto q = facet_gap<double>(facing_.type(pair.facing), y, x,
+                                       points_[point_index(pair.face, p)].xi);
+      result.push_back({primary_.nodes[primary_.offset[pair.face]], nodes[0], x, q.normal});
+    }
+  }
+  return result;
 }
 
 double Interaction::wrong_facing_share() const {

@@ -28,6 +28,8 @@ class EquationSystem {
  public:
   EquationSystem(DofMap dofs, PhaseTimers& timers);
   ~EquationSystem();
+  EquationSystem(const EquationSystem&) = delete;
+  EquationSystem& operator=(const EquationSystem&) = delete;
 
   void add(std::shared_ptr<Contribution> contribution);
   void set_constraints(std::vector<Constraint> constraints);
@@ -35,6 +37,8 @@ class EquationSystem {
   /// Loads and prescribed values from now on are those of load parameter t.
   void set_time(double t);
   double time() const { return time_; }
+  /// A contribution's state changed by other means than x and t (multipliers): evaluate anew.
+  void state_changed() { prepared_ = false; }
 
   const DofMap& dofs() const { return dofs_; }
 

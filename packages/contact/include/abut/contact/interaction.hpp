@@ -26,12 +26,19 @@ struct ContactSummary {
   double area = 0.0; ///< reference area of active points [length^2]
 };
 
-/// What one augmentation did. See solver::AugmentReport.
+/// What the next augmentation would do.
 struct Augmentation {
   double change = 0.0; ///< relative change of the multipliers, L2 [1]
   double gap = 0.0;    ///< largest penetration over face size [1]
-  bool converged = false;
-  bool stalled = false;
+  bool converged = false; ///< both tolerances hold
+  bool stalled = false;   ///< the penetration has not fallen over several augmentations
+};
+
+/// A point that is in contact or touches.
+struct ClosedPoint {
+  Local primary_node;    ///< a surface node of its primary face
+  Global secondary_node; ///< a mesh node of its secondary face
+  Vec3 x, normal;        ///< position [length], secondary normal
 };
 
 /// Weighted sums at the nodes of the primary faces of a rank; divide by weight after summing over
@@ -50,18 +57,21 @@ struct PointState {
   double gap = 0.0;                  ///< > 0 open [length]
   double penalty = 0.0;              ///< [pressure/length]
   double pressure = 0.0;             ///< per reference area [pressure]
+  bool active = false;               ///< in contact, or touching without pressure
 };
 
 /// Frictionless facet-on-facet contact of two surfaces (theory: eq. 564-596), penalty or augmented
 /// Lagrangian. Points are Gauss points of the primary faces, (I,P) with I faces and P points each.
 /// Usable on its own: it takes surfaces, options and a communicator, and gives residual and tangent
-/// blocks over global node numbers.
+/// blocks over global node numbers. Kokkos must be initialised while it lives.
 class Interaction : public Contribution {
  public:
   /// Throws InputError when neither surface is deformable and no penalty is given, or a surface is
   /// empty. Collective.
   Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
               ContactOptions options, PhaseTimers& timers);
+  Interaction(const Interaction&) = delete;
+  Interaction& operator=(const Interaction&) = delete;
 
   const char* name() const override { return options_.name.c_str(); }
   Phase phase() const override { return Phase::contact; }
@@ -74,11 +84,15 @@ class Interaction : public Contribution {
   void accept() override;
   void reject() override;
 
-  /// lambda <- <lambda - eps gap> at every point. Collective.
-  Augmentation augment();
+  /// How far the multipliers are from <lambda - eps gap> in the last prepared configuration.
+  /// Collective.
+  Augmentation augmentation() const;
+  /// lambda <- <lambda - eps gap> at every point. Collective. Prepare again before the next residual.
+  void augment();
 
   ContactSummary summary() const; ///< Collective.
   NodalSums nodal_sums() const;
+  std::vector<ClosedPoint> closed_points() const; ///< of this rank
   const mesh::Surface& primary() const { return primary_; }
   const ContactOptions& options() const { return options_; }
   const std::vector<PointState>& points() const { return points_; } ///< (I,P)
@@ -129,7 +143,7 @@ class Interaction : public Contribution {
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
-  std::vector<double> last_gaps_; ///< largest penetrations of the last augmentations, for the plateau
+  std::vector<double> last_gaps_; ///< largest penetration before each augmentation of the step
 };
 
 } // namespace abut::contact

@@ -32,9 +32,9 @@ struct BlockPairOptions {
   Divisions lower_divisions{2, 2, 2};
   Size upper_size{1.0, 1.0, 1.0};
   Divisions upper_divisions{3, 3, 3};
-  double gap = 0.0;        ///< between the two; negative: they overlap
-  double rotation = 0.0;   ///< turns the upper mesh inside its outline about the normal; 0 at its top
-  double turn = 0.0;       ///< turns the whole upper block about the normal
+  double gap = 0.0;      ///< between the two; negative: they overlap
+  double rotation = 0.0; ///< turns the upper mesh inside its outline about the normal; 0 at its top
+  double turn = 0.0;     ///< turns the whole upper block about the normal
   double distortion = 0.0; ///< random moves of nodes inside, as a fraction of the cell size
   fem::CellType element = fem::CellType::hex8;
 };
@@ -46,16 +46,16 @@ MeshData block_pair(const BlockPairOptions& options);
 
 struct RoundOptions {
   double radius = 1.0;
-  double core = 0.2;     ///< extent of the uniform fine region from the contact point
-  int facets = 16;       ///< faces along the core
-  double growth = 1.3;   ///< largest ratio of neighbouring cells outside the core
-  double depth = -1.0;   ///< extent of the uniform layers below the surface; negative: core / 8
-  double max_size = 0.0; ///< largest cell; 0: radius / 5
-  double gap = 0.0;      ///< height of the lowest point above z = 0
-  bool plate = true;     ///< adds a block `plate` below z = 0
-  double plate_size = 0.0;  ///< extent in x (and y) from the contact point; 0: 2.5 core
+  double core = 0.2;       ///< extent of the uniform fine region from the contact point
+  int facets = 16;         ///< faces along the core
+  double growth = 1.3;     ///< largest ratio of neighbouring cells outside the core
+  double depth = -1.0;     ///< extent of the uniform layers below the surface; negative: core / 8
+  double max_size = 0.0;   ///< largest cell; 0: radius / 5
+  double gap = 0.0;        ///< height of the lowest point above z = 0
+  bool plate = true;       ///< adds a block `plate` below z = 0
+  double plate_size = 0.0; ///< extent in x (and y) from the contact point; 0: 2.5 core
   int plate_divisions = 1;
-  double plate_thickness = 0.0; ///< 0: core
+  double plate_thickness = 0.0;                ///< 0: core
   fem::CellType element = fem::CellType::hex8; ///< of the round body; the plate is always hex8
 };
 
@@ -80,7 +80,7 @@ struct RingsOptions {
   double interface_radius = 1.5; ///< outer face of the inner ring
   double outer_radius = 2.0;     ///< of the outer ring
   double gap = 0.0; ///< inner face of the outer ring minus interface_radius; negative: interference
-  double thickness = 0.1; ///< along z
+  double thickness = 0.1;                ///< along z
   int inner_theta = 8, outer_theta = 12; ///< divisions over 90 degrees
   int inner_r = 4, outer_r = 4;
   int thickness_divisions = 1;

@@ -15,9 +15,9 @@ struct Block {
   int id = 0;
   std::string name;
   fem::CellType type = fem::CellType::hex8;
-  std::vector<Local> nodes;         ///< (elements, nodes per cell) local node indices
-  std::vector<Global> element;      ///< (elements) 0-based index in the input, over all blocks
-  std::vector<Global> element_id;   ///< (elements) number map of the input
+  std::vector<Local> nodes;       ///< (elements, nodes per cell) local node indices
+  std::vector<Global> element;    ///< (elements) 0-based index in the input, over all blocks
+  std::vector<Global> element_id; ///< (elements) number map of the input
   Local size() const { return static_cast<Local>(element.size()); }
 };
 
@@ -35,17 +35,19 @@ struct Mesh {
 
   Comm comm;
   int dim = 3;
-  Global num_nodes = 0;    ///< over all ranks
-  Global num_elements = 0; ///< over all ranks
-  Local num_owned = 0;     ///< owned nodes come first, then ghosts
-  std::vector<double> x;                ///< (N, dim) reference coordinates [length]
-  std::vector<Global> node;             ///< (N) global number
-  std::vector<Global> node_input;       ///< (N) 0-based index in the input
-  std::vector<Global> node_id;          ///< (N) number map of the input
-  std::vector<Global> first_node;       ///< (ranks+1) first global number of each rank
+  Global num_nodes = 0;           ///< over all ranks
+  Global num_elements = 0;        ///< over all ranks
+  Local num_owned = 0;            ///< owned nodes come first, then ghosts
+  std::vector<double> x;          ///< (N, dim) reference coordinates [length]
+  std::vector<Global> node;       ///< (N) global number
+  std::vector<Global> node_input; ///< (N) 0-based index in the input
+  std::vector<Global> node_id;    ///< (N) number map of the input
+  std::vector<Global> first_node; ///< (ranks+1) first global number of each rank
   std::vector<Block> blocks;
-  std::map<std::string, std::vector<Local>> node_sets; ///< owned and ghost nodes; all names on all ranks
-  std::map<std::string, std::vector<Side>> side_sets;  ///< owned elements' sides; all names on all ranks
+  std::map<std::string, std::vector<Local>>
+      node_sets; ///< owned and ghost nodes; all names on all ranks
+  std::map<std::string, std::vector<Side>>
+      side_sets; ///< owned elements' sides; all names on all ranks
 
   Local num_local() const { return static_cast<Local>(node.size()); }
   int owner(Global node_number) const;
@@ -65,12 +67,12 @@ MeshData local_part(const Mesh& mesh);
 
 /// Sends rank-local values of nodes from their owners to the ranks that hold them as ghosts.
 class GhostExchange {
- public:
+public:
   explicit GhostExchange(const Mesh& mesh);
   /// values: (N, width), owned part filled; fills the ghost part. Collective.
   void update(double* values, int width) const;
 
- private:
+private:
   Comm comm_;
   std::vector<std::vector<Local>> send_, receive_;
 };

@@ -33,7 +33,7 @@ struct MeshData {
   std::vector<double> x;       ///< (nodes, dim) coordinates [length]
   std::vector<Global> node_id; ///< (nodes) number map of the file; empty: 1, 2, ...
   std::vector<BlockData> blocks;
-  std::map<std::string, std::vector<Global>> node_sets;  ///< name -> 0-based node indices
+  std::map<std::string, std::vector<Global>> node_sets; ///< name -> 0-based node indices
   std::map<std::string, std::vector<SideData>> side_sets;
 
   Global num_nodes() const { return static_cast<Global>(x.size()) / dim; }

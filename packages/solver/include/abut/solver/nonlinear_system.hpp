@@ -7,11 +7,11 @@
 
 namespace abut::solver {
 
-/// What Newton needs of a discretised problem f(x) = 0. Newton knows nothing of contact or elements.
-/// Every member is collective. residual and tangent may throw SolveError (inverted element, lost
-/// pair): a line search then shortens the step, a load step is tried again smaller.
+/// What Newton needs of a discretised problem f(x) = 0. Newton knows nothing of contact or
+/// elements. Every member is collective. residual and tangent may throw SolveError (inverted
+/// element, lost pair): a line search then shortens the step, a load step is tried again smaller.
 class NonlinearSystem {
- public:
+public:
   virtual ~NonlinearSystem() = default;
 
   virtual RCP<const Map> map() const = 0;
@@ -31,7 +31,8 @@ class NonlinearSystem {
 
   /// For multigrid: unknowns come in rows of this many per node.
   virtual int unknowns_per_node() const { return 1; }
-  /// coordinates of the nodes behind the unknowns (local unknowns / unknowns_per_node, 3), or empty.
+  /// coordinates of the nodes behind the unknowns (local unknowns / unknowns_per_node, 3), or
+  /// empty.
   virtual const double* node_coordinates() const { return nullptr; }
 
   // --- load steps ---
@@ -40,6 +41,8 @@ class NonlinearSystem {
   virtual void set_time(double t) = 0;
   /// Right-hand side of the predictor: tangent(x) dx = rhs moves the free unknowns along with the
   /// prescribed ones from the equilibrium x of the last step to the loads of the present time.
+  /// Constrained rows hold (their diagonal) * (prescribed - present value). Load stepping calls
+  /// set_time, predictor(x), tangent(x), apply_constraints, then residual at the predicted x.
   virtual void predictor(const Vector& x, Vector& rhs) = 0;
   /// Overwrites the constrained entries of x by their prescribed values.
   virtual void apply_constraints(Vector& x) = 0;
@@ -49,11 +52,11 @@ class NonlinearSystem {
 
 /// What one augmentation did. See AugmentCallback.
 struct AugmentReport {
-  bool converged = true;    ///< no further solve is needed
-  bool stalled = false;     ///< plateau: further augmentations change nothing; stop, with reason
-  double change = 0.0;      ///< relative change of the multipliers [1]
-  double gap = 0.0;         ///< largest penetration over face size [1]
-  std::string reason;       ///< one sentence, for the log
+  bool converged = true; ///< no further solve is needed
+  bool stalled = false;  ///< plateau: further augmentations change nothing; stop, with reason
+  double change = 0.0;   ///< relative change of the multipliers [1]
+  double gap = 0.0;      ///< largest penetration over face size [1]
+  std::string reason;    ///< one sentence, for the log
 };
 
 } // namespace abut::solver

@@ -24,7 +24,7 @@ struct LinearOptions {
 };
 
 struct NewtonOptions {
-  double tolerance = 1e-8;    ///< residual over reference force [1]
+  double tolerance = 1e-8; ///< residual over reference force [1]
   int max_iterations = 25;
   LineSearch line_search = LineSearch::automatic;
   std::string nox; ///< NOX parameter list as XML text, merged over abut's own

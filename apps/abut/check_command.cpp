@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.hpp"
+
+#include "model.hpp"
+#include "supports.hpp"
+
+#include "abut/core/trilinos.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+#include <map>
+
+namespace abut::app {
+
+namespace {
+
+class Printer {
+ public:
+  explicit Printer(bool active) : active_(active) {}
+  template <class... Args> void operator()(fmt::format_string<Args...> format, Args&&... args) const {
+    const std::string text = fmt::format(format, std::forward<Args>(args)...);
+    if (active_) std::cout << text << '\n';
+  }
+
+ private:
+  bool active_;
+};
+
+void explain_bodies(const Model& m, const Printer& print) {
+  print("bodies:");
+  for (std::size_t i = 0; i < m.deck.bodies.size(); ++i) {
+    const solid::BodyOptions& body = m.deck.bodies[i];
+    Global elements = 0;
+    std::map<std::string, Global> types;
+    for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
+      if (m.body_of_block[b] != static_cast<int>(i)) continue;
+      const Global count = m.comm.sum(Global(m.mesh->blocks[b].size()));
+      elements += count;
+      types[fem::info(m.mesh->blocks[b].type).name] += count;
+    }
+    std::string kinds;
+    for (const auto& [name, count] : types) kinds += fmt::format(" {} {}", count, name);
+    print("  {}: {} elements ({} ), {}", body.name, elements, kinds,
+          body.rigid ? "rigid obstacle with prescribed motion" : "material " + body.material);
+  }
+  for (const auto& material : m.deck.materials)
+    print("material {}: {}, Young {:g}, Poisson {:g}", material.name,
+          material.model == solid::MaterialModel::neo_hookean ? "neo-Hookean" : "linear elastic",
+          material.young, material.poisson);
+}
+
+void explain_supports(const Model& m, const Printer& print) {
+  print("supports:");
+  for (const auto& d : m.deck.displacements) {
+    Global nodes = 0;
+    for (Local n : nodes_of_set(*m.mesh, d.set)) nodes += n < m.mesh->num_owned;
+    std::string parts;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (d.components[i]) parts += fmt::format(" {} = {:g}", "xyz"[i], d.values[i]);
+    print("  {}: {} nodes of '{}',{}", d.name, m.comm.sum(nodes), d.set, parts);
+  }
+  const auto free = free_pieces(m);
+  if (free.empty()) print("  every body is held");
+  for (const FreePiece& piece : free)
+    for (const std::string& motion : piece.motions)
+      print("  FREE: body '{}' can move: {}", piece.body, motion);
+}
+
+/// Faces of a side set that stand in it twice, over all ranks.
+Global duplicate_faces(const Model& m, const mesh::Surface& s) {
+  Global count = 0;
+  for (std::size_t f = 1; f < s.face_id.size(); ++f) count += s.face_id[f] == s.face_id[f - 1];
+  return m.comm.sum(count);
+}
+
+void explain_contact(const Model& m, const Printer& print) {
+  for (const auto& c : m.contacts) {
+    const contact::ContactSummary s = c->summary();
+    print("contact {}: '{}' on '{}', {} points", c->name(), c->options().primary,
+          c->options().secondary, s.points);
+    if (s.paired_points > 0)
+      print("  {} points have a partner within reach, gap from {:.4g} to {:.4g}", s.paired_points,
+            s.min_gap, s.max_gap);
+    if (s.paired_points < s.points)
+      print("  {} points have no partner within {:g} face sizes", s.points - s.paired_points,
+            c->options().reach);
+    if (s.paired_points == 0)
+      print("  WARNING: no point has a partner: are the surfaces far apart, or do they face the "
+            "wrong way?");
+    const double wrong = c->wrong_facing_share();
+    if (wrong > 0.0)
+      print("  WARNING: {:.0f}% of the points near the other surface see its back: check which way "
+            "the faces point",
+            100.0 * wrong);
+    if (s.min_gap < 0.0 && s.paired_points > 0)
+      print("  note: the surfaces overlap at the start by up to {:.4g}", -s.min_gap);
+    if (duplicate_faces(m, c->primary()) > 0)
+      print("  WARNING: faces stand twice in side set '{}'", c->options().primary);
+  }
+}
+
+void check(const std::string& deck_file) {
+  const Comm comm(MPI_COMM_WORLD);
+  const auto m = build_model(comm, deck_file);
+  const Printer print(comm.is_root());
+  print("{}", m->deck.title.empty() ? m->deck.file : m->deck.title);
+  print("mesh: {} nodes, {} elements; {} unknowns", m->mesh->num_nodes, m->mesh->num_elements,
+        m->equations->dofs().num_global_rows() * m->equations->dofs().fields());
+  Vector x(m->equations->dofs().map()), f(m->equations->dofs().map());
+  m->equations->residual(x, f);
+  explain_bodies(*m, print);
+  explain_supports(*m, print);
+  explain_contact(*m, print);
+  require_supports(*m);
+  print("the deck is valid");
+}
+
+} // namespace
+
+void add_check_command(CLI::App& app) {
+  const auto deck = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("check", "Validate a deck and explain its scene");
+  command->add_option("DECK", *deck, "YAML or XML deck")->required();
+  command->callback([deck] { check(*deck); });
+}
+
+} // namespace abut::app

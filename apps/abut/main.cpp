@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.hpp"
+#include "mesh_command.hpp"
+#include "run_command.hpp"
+#include "schema_command.hpp"
+
+#include "abut/core/comm.hpp"
+#include "abut/core/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <Tpetra_Core.hpp>
+#include <iostream>
+
+namespace {
+
+enum Exit { converged = 0, stopped = 1, input = 2, defect = 3 };
+
+/// Parses and runs the command. Errors that all ranks agree on are printed once; one that a single
+/// rank meets ends all of them.
+int run(int argc, char** argv, const abut::Comm& comm) {
+  using namespace abut::app;
+  CLI::App app{"abut: contact mechanics on Exodus meshes, driven by decks"};
+  app.require_subcommand(1);
+  int status = converged;
+  add_run_command(app, status);
+  add_check_command(app);
+  add_mesh_command(app);
+  add_schema_command(app);
+  try {
+    app.parse(argc, argv);
+    return status;
+  } catch (const CLI::ParseError& e) {
+    const int code = comm.is_root() ? app.exit(e) : e.get_exit_code();
+    return code == 0 ? converged : input;
+  } catch (const abut::InputError& e) {
+    if (comm.is_root()) std::cerr << "abut: " << e.what() << '\n';
+    return input;
+  } catch (const abut::SolveError& e) {
+    if (comm.is_root()) std::cerr << "abut: " << e.what() << '\n';
+    return stopped;
+  } catch (const abut::Defect& e) {
+    std::cerr << "abut: this is a defect of abut, please report it: " << e.what() << '\n';
+  } catch (const std::exception& e) {
+    std::cerr << "abut: this is a defect of abut, please report it: " << e.what() << '\n';
+  }
+  if (comm.size() > 1) MPI_Abort(comm.mpi(), defect); // others may wait for this rank
+  return defect;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  int program_only = 1; // Kokkos would answer --help itself
+  Tpetra::ScopeGuard scope(&program_only, &argv);
+  const abut::Comm comm(MPI_COMM_WORLD);
+  return run(argc, argv, comm);
+}

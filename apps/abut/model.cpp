@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/io/exodus.hpp"
+#include "abut/mesh/generate.hpp"
+#include "abut/mesh/surface.hpp"
+#include "abut/solid/face_stiffness.hpp"
+#include "abut/solid/load_contribution.hpp"
+#include "abut/solid/reference_checks.hpp"
+#include "rigid_motion.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace abut::app {
+
+namespace {
+
+mesh::MeshData load_mesh(const deck::Deck& deck) {
+  if (!deck.mesh.file.empty()) {
+    try {
+      return io::read_exodus(deck.mesh_path());
+    } catch (const InputError& e) {
+      throw InputError(deck.where("mesh.file") + ": " + e.what());
+    }
+  }
+  std::map<std::string, std::string> options;
+  for (const auto& p : deck.mesh.parameters) options[p.key] = p.text;
+  try {
+    return mesh::generate(deck.mesh.kind, options);
+  } catch (const InputError& e) {
+    throw InputError(deck.where("mesh.generate") + ": " + e.what());
+  }
+}
+
+template <class Map> std::vector<std::string> names(const Map& map) {
+  std::vector<std::string> result;
+  for (const auto& entry : map) result.push_back(entry.first);
+  return result;
+}
+
+/// Throws unless `name` is one of `valid`.
+void require_name(const deck::Deck& deck, const std::string& path, const std::string& what,
+                  const std::string& name, const std::vector<std::string>& valid) {
+  if (std::find(valid.begin(), valid.end(), name) != valid.end()) return;
+  throw InputError(deck.where(path) + ": the mesh has no " + what + " '" + name + "'; " +
+                   nearest_word_hint(name, valid.data(), valid.size()));
+}
+
+void check_names(const Model& m) {
+  const deck::Deck& deck = m.deck;
+  std::vector<std::string> blocks;
+  for (const mesh::Block& b : m.mesh->blocks) blocks.push_back(b.name);
+  const auto node_sets = names(m.mesh->node_sets), side_sets = names(m.mesh->side_sets);
+  std::vector<std::string> sets = node_sets;
+  sets.insert(sets.end(), side_sets.begin(), side_sets.end());
+  for (const auto& b : deck.bodies)
+    for (const std::string& block : b.blocks)
+      require_name(deck, "bodies." + b.name + ".blocks", "block", block, blocks);
+  for (const auto& d : deck.displacements)
+    require_name(deck, "displacements." + d.name + ".set", "node set or side set", d.set, sets);
+  for (const auto& l : deck.loads) {
+    const std::string path = "loads." + l.name;
+    if (l.kind == solid::LoadKind::body_force)
+      require_name(deck, path + ".block", "block", l.place, blocks);
+    else if (l.kind == solid::LoadKind::force)
+      require_name(deck, path + ".node_set", "node set", l.place, node_sets);
+    else
+      require_name(deck, path + ".side_set", "side set", l.place, side_sets);
+  }
+  for (const auto& c : deck.contact) {
+    require_name(deck, "contact." + c.name + ".primary", "side set", c.primary, side_sets);
+    require_name(deck, "contact." + c.name + ".secondary", "side set", c.secondary, side_sets);
+  }
+  for (const auto& v : deck.verify)
+    if (!deck::is_contact_quantity(v.quantity) && !v.place.empty())
+      require_name(deck, "verify." + v.name + ".place", "node set or side set", v.place, sets);
+}
+
+void assign_bodies(Model& m) {
+  const deck::Deck& deck = m.deck;
+  m.body_of_block.assign(m.mesh->blocks.size(), -1);
+  m.material.resize(m.mesh->blocks.size());
+  for (std::size_t i = 0; i < deck.bodies.size(); ++i) {
+    const solid::BodyOptions& body = deck.bodies[i];
+    for (const std::string& name : body.blocks)
+      for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
+        if (m.mesh->blocks[b].name != name) continue;
+        if (m.body_of_block[b] >= 0)
+          throw InputError(deck.where("bodies." + body.name + ".blocks") + ": block '" + name +
+                           "' already belongs to body '" +
+                           deck.bodies[std::size_t(m.body_of_block[b])].name + "'");
+        m.body_of_block[b] = static_cast<int>(i);
+        for (const auto& material : deck.materials)
+          if (!body.rigid && material.name == body.material)
+            m.material[b] = solid::make_material(material);
+      }
+  }
+  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b)
+    if (m.body_of_block[b] < 0)
+      throw InputError(deck.where("bodies") + ": block '" + m.mesh->blocks[b].name +
+                       "' of the mesh belongs to no body");
+}
+
+std::vector<assembly::Constraint> make_constraints(const Model& m) {
+  std::vector<assembly::Constraint> result;
+  std::map<std::pair<Local, int>, std::string> given;
+  for (const auto& d : m.deck.displacements) {
+    const deck::Curve curve = m.deck.curve(d.curve);
+    for (Local n : nodes_of_set(*m.mesh, d.set)) {
+      if (n >= m.mesh->num_owned) continue;
+      for (int i = 0; i < 3; ++i) {
+        if (!d.components[std::size_t(i)]) continue;
+        const double value = d.values[std::size_t(i)];
+        if (!given.try_emplace({n, i}, d.name).second) continue; // the first one named holds
+        result.push_back({n, i, [curve, value](double t) { return value * curve(t); }});
+      }
+    }
+  }
+  return result;
+}
+
+/// Two entries that prescribe one unknown differently would silently drop one of them.
+void check_conflicts(const Model& m) {
+  std::map<std::pair<Local, int>, const solid::DisplacementOptions*> given;
+  for (const auto& d : m.deck.displacements)
+    for (Local n : nodes_of_set(*m.mesh, d.set))
+      for (int i = 0; i < 3; ++i) {
+        if (!d.components[std::size_t(i)]) continue;
+        const auto [it, is_new] = given.try_emplace({n, i}, &d);
+        const auto& other = *it->second;
+        const double a = d.values[std::size_t(i)], b = other.values[std::size_t(i)];
+        if (is_new || (a == b && (a == 0.0 || d.curve == other.curve))) continue;
+        throw InputError(m.deck.where("displacements." + d.name) + ": node " +
+                         std::to_string(m.mesh->node_id[n]) + " has its " + "xyz"[i] +
+                         " displacement prescribed differently by '" + other.name + "'");
+      }
+}
+
+void add_contact(Model& m, const contact::ContactOptions& options) {
+  solid::BlockMaterials materials;
+  for (const auto& material : m.material) materials.push_back(material ? &*material : nullptr);
+  const auto surface = [&](const std::string& name) {
+    mesh::Surface s = mesh::extract_surface(*m.mesh, name);
+    const auto stiffness = solid::face_stiffness(*m.mesh, mesh::sorted_sides(*m.mesh, name), materials);
+    s.modulus = stiffness.modulus;
+    s.inverse_depth = stiffness.inverse_depth;
+    return s;
+  };
+  try {
+    m.contacts.push_back(std::make_shared<contact::Interaction>(
+        m.comm, surface(options.primary), surface(options.secondary), options, m.timers));
+  } catch (const InputError& e) {
+    throw InputError(m.deck.where("contact." + options.name) + ": " + e.what());
+  }
+}
+
+void add_equations(Model& m) {
+  m.equations = std::make_unique<assembly::EquationSystem>(
+      assembly::DofMap(*m.mesh, {"displacement_x", "displacement_y", "displacement_z"},
+                       m.without_unknowns),
+      m.timers);
+  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
+    if (!m.material[b]) continue;
+    m.solids.push_back(std::make_shared<solid::SolidContribution>(*m.mesh, static_cast<int>(b),
+                                                                  *m.material[b]));
+    m.equations->add(m.solids.back());
+  }
+  for (const auto& load : m.deck.loads)
+    m.equations->add(
+        std::make_shared<solid::LoadContribution>(*m.mesh, load, m.deck.curve(load.curve)));
+  for (const auto& contact : m.contacts) m.equations->add(contact);
+  m.equations->set_constraints(m.constraints);
+  m.equations->set_motion(rigid_motion(m));
+}
+
+} // namespace
+
+std::vector<Local> nodes_of_set(const mesh::Mesh& mesh, const std::string& name) {
+  const auto set = mesh.node_sets.find(name);
+  if (set != mesh.node_sets.end()) return set->second;
+  std::set<Local> nodes;
+  for (const mesh::Side& s : mesh.side_sets.at(name)) {
+    const mesh::Block& block = mesh.blocks[std::size_t(s.block)];
+    const fem::CellSide& face = fem::side(block.type, s.side);
+    for (int a = 0; a < fem::face_nodes(face.type); ++a)
+      nodes.insert(
+          block.nodes[std::size_t(s.element) * fem::info(block.type).nodes + std::size_t(face.nodes[a])]);
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file) {
+  auto m = std::make_unique<Model>(comm, deck::read_deck(comm, deck_file));
+  mesh::MeshData data;
+  comm.on_root([&] { data = load_mesh(m->deck); });
+  m->mesh = std::make_unique<mesh::Mesh>(mesh::distribute(data, comm));
+  data = {};
+  comm.together([&] {
+    check_names(*m);
+    assign_bodies(*m);
+    check_conflicts(*m);
+  });
+  try {
+    solid::check_elements(*m->mesh);
+  } catch (const InputError& e) {
+    throw InputError(m->deck.where("mesh") + ": " + e.what());
+  }
+  m->without_unknowns = rigid_nodes(*m);
+  m->constraints = make_constraints(*m);
+  for (const auto& options : m->deck.contact) add_contact(*m, options);
+  add_equations(*m);
+  return m;
+}
+
+} // namespace abut::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results.hpp"
+
+#include "abut/core/trilinos.hpp"
+#include "abut/solid/element_fields.hpp"
+
+#include <algorithm>
+
+namespace abut::app {
+
+State make_state(const Model& m, const Vector& x, double time, const solver::Counters& counters) {
+  State s;
+  s.time = time;
+  s.counters = counters;
+  s.u = m.equations->nodal_values(x);
+  s.reaction = m.equations->raw_residual();
+  for (const auto& contact : m.contacts) s.contacts.push_back(contact->summary());
+  return s;
+}
+
+io::ResultNames result_names(const Model& m) {
+  io::ResultNames names;
+  names.nodal = {"displacement_x",     "displacement_y",     "displacement_z",
+                 "contact_pressure",   "contact_gap",        "contact_traction_x",
+                 "contact_traction_y", "contact_traction_z", "contact_status"};
+  names.element = {"stress_xx", "stress_yy", "stress_zz", "stress_xy",
+                   "stress_yz", "stress_xz", "von_mises", "energy"};
+  names.global = {"steps", "newton_iterations", "augmentations", "cut_backs"};
+  for (const auto& c : m.contacts)
+    for (const char* i : {"_force_x", "_force_y", "_force_z"})
+      names.global.push_back(std::string(c->name()) + i);
+  return names;
+}
+
+ContactFields contact_fields(const Model& m) {
+  const mesh::Mesh& mesh = *m.mesh;
+  struct Entry {
+    Global node;
+    double weight, pressure, gap, status, traction[3];
+  };
+  std::vector<std::vector<Entry>> send(static_cast<std::size_t>(mesh.comm.size()));
+  for (const auto& contact : m.contacts) {
+    const contact::NodalSums sums = contact->nodal_sums();
+    for (std::size_t i = 0; i < sums.weight.size(); ++i) {
+      const Global node = contact->primary().node[i];
+      send[static_cast<std::size_t>(mesh.owner(node))].push_back(
+          {node, sums.weight[i], sums.pressure[i], sums.gap[i], sums.status[i],
+           {sums.traction[3 * i], sums.traction[3 * i + 1], sums.traction[3 * i + 2]}});
+    }
+  }
+  const auto owned = static_cast<std::size_t>(mesh.num_owned);
+  ContactFields f;
+  f.pressure.assign(owned, 0.0);
+  f.gap = f.status = f.pressure;
+  f.traction.assign(3 * owned, 0.0);
+  std::vector<double> weight(owned, 0.0);
+  const Global first = mesh.first_node[static_cast<std::size_t>(mesh.comm.rank())];
+  for (const auto& list : mesh.comm.exchange(send))
+    for (const Entry& e : list) {
+      const auto n = static_cast<std::size_t>(e.node - first);
+      weight[n] += e.weight;
+      f.pressure[n] += e.pressure;
+      f.gap[n] += e.gap;
+      f.status[n] += e.status;
+      for (std::size_t i = 0; i < 3; ++i) f.traction[3 * n + i] += e.traction[i];
+    }
+  for (std::size_t n = 0; n < owned; ++n) {
+    if (weight[n] <= 0.0) continue;
+    f.pressure[n] /= weight[n];
+    f.gap[n] /= weight[n];
+    f.status[n] = f.status[n] > 0.0 ? 1.0 : 0.0; // frictionless contact slips
+    for (std::size_t i = 0; i < 3; ++i) f.traction[3 * n + i] /= weight[n];
+  }
+  return f;
+}
+
+namespace {
+
+void add_element_fields(const Model& m, const State& s, io::ResultStep& step) {
+  step.element.assign(8, {});
+  const NodalFields fields{s.u.data(), 3, s.time};
+  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
+    const auto count = static_cast<std::size_t>(m.mesh->blocks[b].size());
+    if (!m.material[b]) {
+      for (auto& values : step.element) values.insert(values.end(), count, 0.0);
+      continue;
+    }
+    const auto e = solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < 6; ++k) step.element[k].push_back(e.stress[6 * i + k]);
+      step.element[6].push_back(e.von_mises[i]);
+      step.element[7].push_back(e.energy[i]);
+    }
+  }
+}
+
+} // namespace
+
+io::ResultStep result_step(const Model& m, const State& s) {
+  io::ResultStep step;
+  step.time = s.time;
+  const auto owned = static_cast<std::size_t>(m.mesh->num_owned);
+  step.nodal.assign(9, std::vector<double>(owned, 0.0));
+  const ContactFields contact = contact_fields(m);
+  for (std::size_t n = 0; n < owned; ++n)
+    for (std::size_t i = 0; i < 3; ++i) {
+      step.nodal[i][n] = s.u[3 * n + i];
+      step.nodal[5 + i][n] = contact.traction[3 * n + i];
+    }
+  step.nodal[3] = contact.pressure;
+  step.nodal[4] = contact.gap;
+  step.nodal[8] = contact.status;
+  add_element_fields(m, s, step);
+  step.global = {double(s.counters.steps), double(s.counters.newton_iterations),
+                 double(s.counters.augmentations), double(s.counters.cut_backs)};
+  for (const auto& c : s.contacts) step.global.insert(step.global.end(), c.force.begin(), c.force.end());
+  return step;
+}
+
+} // namespace abut::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "model.hpp"
+
+#include "abut/contact/interaction.hpp"
+#include "abut/io/result_writer.hpp"
+#include "abut/solver/load_stepping.hpp"
+
+#include <string>
+#include <vector>
+
+namespace abut::app {
+
+/// What is known of the last converged step.
+struct State {
+  double time = 0.0;
+  solver::Counters counters;
+  std::vector<double> u;        ///< (N, 3) displacement of local nodes
+  std::vector<double> reaction; ///< (owned rows, 3) force of supports on the body
+  std::vector<contact::ContactSummary> contacts;
+};
+
+/// Collective. The equations must have been evaluated at x.
+State make_state(const Model& model, const Vector& x, double time, const solver::Counters& counters);
+
+/// The fields of the outside contract (Exodus output).
+io::ResultNames result_names(const Model& model);
+io::ResultStep result_step(const Model& model, const State& state);
+
+/// Averages of contact pressure, gap, traction and status at owned nodes. Collective.
+struct ContactFields {
+  std::vector<double> pressure, gap, status; ///< (owned nodes)
+  std::vector<double> traction;              ///< (owned nodes, 3), on the primary surface
+};
+ContactFields contact_fields(const Model& model);
+
+} // namespace abut::app

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "summary.hpp"
+
+#include "abut/core/error.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace abut::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+Json contact_json(const Model& m, const State& s) {
+  Json all = Json::object();
+  for (std::size_t i = 0; i < s.contacts.size(); ++i) {
+    const contact::ContactSummary& c = s.contacts[i];
+    const bool augmented = m.contacts[i]->options().enforcement ==
+                           contact::Enforcement::augmented_lagrangian;
+    all[m.contacts[i]->name()] = {
+        {"formulation", "facet_on_facet"},
+        {"enforcement", augmented ? "augmented_lagrangian" : "penalty"},
+        {"active_points", c.active_points},
+        {"stick_points", 0},
+        {"slip_points", c.active_points},
+        {"force", c.force},
+        {"max_pressure", c.max_pressure},
+        {"max_penetration", c.max_penetration},
+        {"max_penetration_over_face_size", c.max_penetration_over_face_size}};
+  }
+  return all;
+}
+
+} // namespace
+
+void write_summary(const Model& m, const State& s, const RunFacts& facts,
+                   const std::vector<Verdict>& verdicts, const std::string& file) {
+  Json phases = Json::object();
+  for (int p = 0; p < phase_count; ++p)
+    phases[phase_name(static_cast<Phase>(p))] = m.comm.max(m.timers.seconds(static_cast<Phase>(p)));
+  const double memory = m.comm.sum(peak_memory_mb());
+  if (file.empty()) return;
+  Json json = {{"status", facts.converged ? "converged" : "stopped"},
+               {"deck", m.deck.file},
+               {"ranks", m.comm.size()},
+               {"unknowns", m.equations->dofs().num_global_rows() * m.equations->dofs().fields()},
+               {"steps", s.counters.steps},
+               {"newton_iterations", s.counters.newton_iterations},
+               {"augmentations", s.counters.augmentations},
+               {"linear_iterations", s.counters.linear_iterations},
+               {"cut_backs", s.counters.cut_backs},
+               {"wall_seconds", facts.wall_seconds},
+               {"phase_seconds", phases},
+               {"peak_memory_mb", memory},
+               {"contact", contact_json(m, s)},
+               {"verify", Json::array()}};
+  for (const Verdict& v : verdicts)
+    json["verify"].push_back({{"name", v.name},
+                              {"value", v.value},
+                              {"expected", v.expected},
+                              {"tolerance", v.tolerance},
+                              {"ok", v.ok}});
+  m.comm.on_root([&] {
+    std::ofstream out(file);
+    out << json.dump(2) << '\n';
+    if (!out) throw InputError("cannot write the summary '" + file + "'");
+  });
+}
+
+} // namespace abut::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/contact/options.hpp"
+#include "abut/core/comm.hpp"
+#include "abut/deck/value.hpp"
+#include "abut/io/options.hpp"
+#include "abut/solid/options.hpp"
+#include "abut/solver/options.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abut::deck {
+
+/// A mesh from a file or from a generator.
+struct MeshOptions {
+  struct Parameter {
+    std::string key;
+    std::string text; ///< a scalar as written; the items of a list joined by commas
+    Location where;
+  };
+  std::string file;                  ///< as written, relative to the deck's folder
+  std::string kind;                  ///< of the generator; empty when `file` is given
+  std::vector<Parameter> parameters; ///< of the generator, which checks them
+
+  /// The parameters as the generator takes them.
+  std::map<std::string, std::string> generator_options() const;
+};
+
+/// A function of the load parameter t: linear between its points, constant beyond the ends. Without
+/// points it is t itself.
+struct Curve {
+  std::string name;
+  std::vector<std::array<double, 2>> points; ///< (t, value), t strictly increasing
+
+  double operator()(double t) const;
+};
+
+enum class Quantity {
+  force_x,
+  force_y,
+  force_z,
+  max_pressure,
+  max_penetration,
+  active_points,
+  contact_radius,
+  displacement_x,
+  displacement_y,
+  displacement_z,
+  reaction_x,
+  reaction_y,
+  reaction_z,
+  newton_iterations,
+};
+/// Whether `place` names a contact interface.
+bool is_contact_quantity(Quantity quantity);
+
+/// One statement about the result by which a deck checks itself.
+struct VerifyOptions {
+  std::string name;
+  Quantity quantity = Quantity::force_x;
+  std::string place;                          ///< contact interface, node set, side set
+  std::optional<std::array<double, 3>> point; ///< reference coordinates [length]
+  double expected = 0.0;
+  std::optional<double> tolerance;          ///< absolute
+  std::optional<double> relative_tolerance; ///< of |expected| [1]
+  std::string source;                       ///< where the expected value comes from
+
+  /// The larger of the two tolerances, absolute.
+  double allowed_error() const;
+};
+
+struct Deck {
+  std::string file; ///< the deck's own file name, as given
+  std::string title;
+  MeshOptions mesh;
+  std::vector<solid::MaterialOptions> materials;
+  std::vector<solid::BodyOptions> bodies;
+  std::vector<solid::DisplacementOptions> displacements;
+  std::vector<solid::LoadOptions> loads;
+  std::vector<Curve> curves;
+  std::vector<contact::ContactOptions> contact;
+  solver::TimeOptions time;
+  solver::NewtonOptions newton;
+  solver::LinearOptions linear;
+  io::OutputOptions output;
+  std::vector<VerifyOptions> verify;
+
+  /// Place of every key given, by its path: "contact.ball_on_floor.primary".
+  std::map<std::string, Location> locations;
+
+  /// "FILE:LINE: path" to begin a message about a key. For a path that is not in the deck, the line
+  /// is that of the nearest enclosing key.
+  std::string where(const std::string& path) const;
+
+  /// mesh.file seen from the working directory.
+  std::string mesh_path() const;
+
+  /// The curve of this name; the ramp t for an empty name.
+  Curve curve(const std::string& name) const;
+};
+
+/// Fills and validates. Throws InputError "FILE:LINE: key path: what was expected, what was found".
+Deck make_deck(const Value& top, const std::string& file);
+
+/// parse + make_deck.
+Deck parse_deck(const std::string& text, const std::string& file);
+
+/// Reads the file on the root and gives every rank the same deck, or the same InputError.
+/// Collective.
+Deck read_deck(const Comm& comm, const std::string& file);
+
+/// The whole deck as YAML, defaults included. Reads back as the same deck.
+std::string to_yaml(const Deck& deck);
+
+} // namespace abut::deck

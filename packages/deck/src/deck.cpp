@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/deck/deck.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/deck/parse.hpp"
+#include "check.hpp"
+#include "describe.hpp"
+#include "filler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace abut::deck {
+
+std::map<std::string, std::string> MeshOptions::generator_options() const {
+  std::map<std::string, std::string> options;
+  for (const Parameter& parameter : parameters)
+    options[parameter.key] = parameter.text;
+  return options;
+}
+
+double Curve::operator()(double t) const {
+  if (points.empty())
+    return t;
+  if (t <= points.front()[0])
+    return points.front()[1];
+  if (t >= points.back()[0])
+    return points.back()[1];
+  const auto after = std::upper_bound(points.begin(), points.end(), t,
+                                      [](double x, const auto& point) { return x < point[0]; });
+  const auto& [t0, v0] = *(after - 1);
+  const auto& [t1, v1] = *after;
+  return v0 + (v1 - v0) * (t - t0) / (t1 - t0);
+}
+
+bool is_contact_quantity(Quantity quantity) {
+  switch (quantity) {
+  case Quantity::force_x:
+  case Quantity::force_y:
+  case Quantity::force_z:
+  case Quantity::max_pressure:
+  case Quantity::max_penetration:
+  case Quantity::active_points:
+  case Quantity::contact_radius:
+    return true;
+  default:
+    return false;
+  }
+}
+
+double VerifyOptions::allowed_error() const {
+  return std::max(tolerance.value_or(0.0), relative_tolerance.value_or(0.0) * std::abs(expected));
+}
+
+std::string Deck::where(const std::string& path) const {
+  std::string known = path;
+  auto found = locations.find(known);
+  while (found == locations.end() && !known.empty()) {
+    const std::size_t dot = known.rfind('.');
+    known.resize(dot == std::string::npos ? 0 : dot);
+    found = locations.find(known);
+  }
+  return (found == locations.end() ? file : found->second.text()) + ": " + path;
+}
+
+std::string Deck::mesh_path() const {
+  return (std::filesystem::path(file).parent_path() / mesh.file).string();
+}
+
+Curve Deck::curve(const std::string& name) const {
+  if (name.empty())
+    return {};
+  const auto found = std::find_if(curves.begin(), curves.end(),
+                                  [&](const Curve& curve) { return curve.name == name; });
+  ABUT_REQUIRE(found != curves.end(), "curve '" + name + "' passed the deck's checks");
+  return *found;
+}
+
+Deck make_deck(const Value& top, const std::string& file) {
+  Deck deck;
+  deck.file = file;
+  Filler filler(top, {file, 1, 1}, "", deck.locations);
+  describe(filler, deck);
+  filler.finish();
+  check_references(deck);
+  return deck;
+}
+
+Deck parse_deck(const std::string& text, const std::string& file) {
+  return make_deck(parse(text, file), file);
+}
+
+Deck read_deck(const Comm& comm, const std::string& file) {
+  std::string text;
+  comm.on_root([&] {
+    if (std::filesystem::is_directory(file))
+      throw InputError(file + ": expected a deck (.yaml or .xml), got a folder");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+      throw InputError(file + ": the deck cannot be opened");
+    text.assign(std::istreambuf_iterator<char>(stream), {});
+    if (stream.bad())
+      throw InputError(file + ": the deck cannot be read");
+  });
+  comm.broadcast(text);
+  return parse_deck(text, file);
+}
+
+} // namespace abut::deck

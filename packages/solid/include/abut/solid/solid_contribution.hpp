@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/contribution.hpp"
+#include "abut/mesh/mesh.hpp"
+#include "abut/solid/material.hpp"
+
+namespace abut::solid {
+
+/// Internal forces of this rank's elements of one block. The first three fields are the
+/// displacement; others are left alone.
+class SolidContribution : public Contribution {
+public:
+  /// The mesh must outlive this object.
+  SolidContribution(const mesh::Mesh& mesh, int block, const Material& material);
+
+  const char* name() const override { return "solid"; }
+  const Connectivity& connectivity() const override { return connectivity_; }
+  bool internal_force() const override { return true; }
+
+  /// Both throw SolveError on the ranks with an inverted element, after the loop: it names the
+  /// element's number in the input and det F. The caller spreads it.
+  void residual(const NodalFields& fields, const ResidualScatter& scatter) override;
+  void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
+
+  int block() const { return block_; }
+  const Material& material() const { return material_; }
+
+private:
+  const mesh::Mesh& mesh_;
+  int block_;
+  Material material_;
+  Connectivity connectivity_;
+};
+
+} // namespace abut::solid

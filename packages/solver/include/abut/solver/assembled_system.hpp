@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/assembly/equation_system.hpp"
+#include "abut/solver/nonlinear_system.hpp"
+
+#include <vector>
+
+namespace abut::solver {
+
+/// The assembled equations as Newton sees them.
+class AssembledSystem : public NonlinearSystem {
+ public:
+  /// The equations must outlive this object.
+  explicit AssembledSystem(assembly::EquationSystem& equations);
+
+  RCP<const Map> map() const override { return equations_.dofs().map(); }
+  void residual(const Vector& x, Vector& f) override { equations_.residual(x, f); }
+  RCP<const Matrix> tangent(const Vector& x) override { return equations_.tangent(x); }
+  long graph_version() const override { return equations_.graph_version(); }
+  bool symmetric() const override { return equations_.symmetric(); }
+  double reference_force() const override { return equations_.reference_force(); }
+  int unknowns_per_node() const override { return equations_.dofs().fields(); }
+  const double* node_coordinates() const override { return coordinates_.data(); }
+  void set_time(double t) override { equations_.set_time(t); }
+  void predictor(const Vector& x, Vector& rhs) override { equations_.predictor(x, rhs); }
+  void apply_constraints(Vector& x) override { equations_.apply_constraints(x); }
+  void accept(const Vector& x) override { equations_.accept(x); }
+  void reject() override { equations_.reject(); }
+
+ private:
+  assembly::EquationSystem& equations_;
+  std::vector<double> coordinates_; ///< (owned rows, 3)
+};
+
+} // namespace abut::solver

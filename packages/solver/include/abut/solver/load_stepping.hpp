@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/log.hpp"
+#include "abut/solver/augmented.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace abut::solver {
+
+/// What a run has spent, failed attempts included.
+struct Counters {
+  long long steps = 0; ///< converged ones only
+  long long newton_iterations = 0;
+  long long augmentations = 0;
+  long long linear_iterations = 0; ///< predictors included
+  long long cut_backs = 0;
+};
+
+/// A converged load step.
+struct StepReport {
+  int step = 0; ///< from 1
+  double t = 0.0, dt = 0.0;
+  int iterations = 0, augmentations = 0; ///< of the attempt that converged
+  int cuts = 0;                          ///< attempts that failed before it
+  double residual = 0.0, reference = 0.0;
+  std::vector<NewtonResult> solves; ///< one for each augmentation, with the residual histories
+  AugmentReport augment;
+  std::string note; ///< a plateau of the augmentation, else empty
+};
+
+/// Called with x of a step that converged and was accepted, to write results.
+using StepCallback = std::function<void(const StepReport&, const Vector& x)>;
+
+struct LoadResult {
+  bool converged = false;
+  double t = 0.0;     ///< of the last converged step
+  std::string reason; ///< one sentence when not converged
+  Counters counters;
+};
+
+/// Raises the load parameter t from `start` to `end`. A failed step is rolled back, x bit for bit,
+/// and tried again at half its size; after steps that converge easily the size grows again by half,
+/// up to the nominal one. Not adaptive: the first failed step ends the run.
+class LoadStepping {
+public:
+  /// `loop` must outlive this object. Throws InputError for steps that are not positive.
+  LoadStepping(AugmentedLagrangian& loop, TimeOptions options, LogSink log = {});
+
+  /// Steps on from the equilibrium x at t = start (0, or where a checkpoint was written); x is the
+  /// last converged state afterwards. Collective.
+  LoadResult run(NonlinearSystem& system, Vector& x, const StepCallback& on_step = {},
+                 const IterationCallback& on_iteration = {}, double start = 0.0);
+
+private:
+  struct Attempt {
+    AugmentedResult result;
+    std::string reason; ///< of failure; empty: the attempt converged
+    int iterations = 0, augmentations = 0;
+  };
+  Attempt attempt(NonlinearSystem& system, Vector& x, double t, const IterationCallback& observer);
+  void predict(NonlinearSystem& system, Vector& x);
+  double step_end(double t, double dt) const;
+
+  AugmentedLagrangian& loop_;
+  TimeOptions options_;
+  LogSink log_;
+};
+
+} // namespace abut::solver

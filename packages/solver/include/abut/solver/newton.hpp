@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/trilinos_fwd.hpp"
+#include "abut/solver/options.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace abut::solver {
+
+class LinearSolver;
+class NonlinearSystem;
+
+/// One accepted Newton iterate; iteration 0 is the state that the solve starts from.
+struct IterationReport {
+  int iteration = 0;
+  double residual = 0.0;     ///< |f|_2 over all unknowns [force]
+  double relative = 0.0;     ///< residual over reference force [1]
+  double step_length = 0.0;  ///< fraction of the Newton step that was taken [1]; 0 at iteration 0
+  int linear_iterations = 0; ///< of this iteration
+};
+
+using IterationCallback = std::function<void(const IterationReport&)>;
+
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0.0;  ///< |f|_2 at the end [force]
+  double reference = 0.0; ///< reference force at the end [force]
+  long long linear_iterations = 0;
+  std::vector<double> residual_history; ///< |f|_2 of every iterate, the first included [force]
+  std::string reason;                   ///< one sentence when not converged
+};
+
+/// Newton's method (NOX) with a line search. Converged: |f|_2 <= tolerance * reference force, or f
+/// exactly zero.
+class NewtonSolver {
+public:
+  /// `linear` must outlive the solver. `linear_tolerance`: relative residual asked of each linear
+  /// solve, unless the user's NOX list chooses forcing terms. Throws InputError for a bad NOX list.
+  NewtonSolver(LinearSolver& linear, NewtonOptions options, double linear_tolerance = 1e-8);
+
+  /// Solves system.residual(x) = 0 from x on, which is overwritten by the last iterate. The last
+  /// residual of the system has then been evaluated at x. Not to converge within the iterations is
+  /// a result; a SolveError of the system (where a shorter step does not cure it) or of the linear
+  /// solver is passed on, x is then not usable. Collective.
+  NewtonResult solve(NonlinearSystem& system, Vector& x, const IterationCallback& observer = {});
+
+  LinearSolver& linear() { return linear_; }
+  double linear_tolerance() const { return linear_tolerance_; }
+
+private:
+  LinearSolver& linear_;
+  NewtonOptions options_;
+  double linear_tolerance_;
+};
+
+} // namespace abut::solver

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/solver/linear_solver.hpp"
+
+#include <memory>
+
+namespace abut::solver {
+
+/// Belos CG for a symmetric matrix (GMRES where that breaks down) and GMRES otherwise, with MueLu
+/// or an incomplete factorisation. The preconditioner is kept from matrix to matrix as long as the
+/// iterations stay below 1.5 times those right after it was built.
+class KrylovSolver : public LinearSolver {
+public:
+  /// Throws InputError when a user's list is not readable or holds a parameter that nobody knows.
+  KrylovSolver(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
+               PhaseTimers* timers = nullptr);
+  ~KrylovSolver() override;
+
+  void forget() override;
+
+private:
+  void do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) override;
+  LinearResult do_solve(const Vector& b, Vector& x, double tolerance) override;
+
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace abut::solver

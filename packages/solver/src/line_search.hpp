@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <NOX_LineSearch_Generic.H>
+#include <NOX_LineSearch_UserDefinedFactory.H>
+
+namespace abut::solver {
+
+/// The line search of contact problems. The full step is taken unless
+/// - the residual cannot be evaluated there or is not finite: halved until it can be, or
+/// - the slope s(a) = dx . f(x + a dx) has |s(1)| > 0.9 |s(0)| and another sign than s(0): a root
+/// is
+///   sought by regula falsi (Matthies and Strang 1979, with the Illinois weights).
+/// A stiff contact that closes within the step has its root at the first touch; were that step
+/// taken each time, faces would close one by one. The shortest step is therefore 0.1, and doubles
+/// with every iteration in a row that the slope shortened.
+class SlopeLineSearch : public NOX::LineSearch::Generic {
+public:
+  bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
+               const NOX::Solver::Generic& solver) override;
+
+private:
+  /// The slope at x + step dx; nothing where the residual cannot be evaluated (why: `failure_`).
+  bool evaluate(double step, double& slope);
+  double seek_root(double step, double slope_start, double slope_full);
+
+  static constexpr double first_floor = 0.1;
+  NOX::Abstract::Group* group_ = nullptr;
+  const NOX::Abstract::Group* old_ = nullptr;
+  const NOX::Abstract::Vector* direction_ = nullptr;
+  double floor_ = first_floor;
+  std::string failure_;
+};
+
+/// Hands a line search to NOX's parameter list.
+class SlopeLineSearchFactory : public NOX::LineSearch::UserDefinedFactory {
+public:
+  Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&,
+                                                         Teuchos::ParameterList&) const override {
+    return Teuchos::rcp(new SlopeLineSearch);
+  }
+};
+
+} // namespace abut::solver

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/solver/newton.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/core/trilinos.hpp"
+#include "abut/solver/linear_solver.hpp"
+#include "abut/solver/nonlinear_system.hpp"
+#include "convergence_test.hpp"
+#include "line_search.hpp"
+#include "parameter_text.hpp"
+#include "thyra_model.hpp"
+
+#include <NOX_Solver_Factory.H>
+#include <NOX_Solver_Generic.H>
+#include <NOX_Thyra_Group.H>
+#include <NOX_Thyra_Vector.H>
+#include <Teuchos_oblackholestream.hpp>
+
+namespace abut::solver {
+
+namespace {
+
+RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double linear_tolerance) {
+  const auto list = Teuchos::parameterList();
+  list->set("Nonlinear Solver", "Line Search Based");
+  auto& newton = list->sublist("Direction").set("Method", "Newton").sublist("Newton");
+  newton.set("Forcing Term Method", "Constant");
+  // NOX would go on with whatever a failed linear solve left behind.
+  newton.set("Rescue Bad Newton Solve", false);
+  newton.sublist("Linear Solver").set("Tolerance", linear_tolerance);
+  auto& search = list->sublist("Line Search");
+  if (options.line_search == LineSearch::automatic) {
+    search.set("Method", "User Defined");
+    search.set<RCP<NOX::LineSearch::UserDefinedFactory>>("User Defined Line Search Factory",
+                                                         rcp(new SlopeLineSearchFactory));
+  } else {
+    search.set("Method", "Full Step");
+  }
+  const RCP<std::ostream> nowhere = rcp(new Teuchos::oblackholestream);
+  auto& printing = list->sublist("Printing");
+  printing.set("Output Information", 0);
+  printing.set("Output Stream", nowhere);
+  printing.set("Error Stream", nowhere);
+  merge_parameter_text(options.nox, "NOX", *list);
+  return list;
+}
+
+RCP<NOX::Solver::Generic> build_solver(const RCP<NOX::Abstract::Group>& group,
+                                       const RCP<NOX::StatusTest::Generic>& test,
+                                       const RCP<Teuchos::ParameterList>& list) {
+  std::string why;
+  try {
+    return NOX::Solver::buildSolver(group, test, list);
+  } catch (const std::exception& e) {
+    why = e.what();
+  } catch (const char* e) { // NOX throws plain text in places
+    why = e;
+  }
+  throw InputError("NOX does not take its parameter list: " + why);
+}
+
+} // namespace
+
+NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options, double linear_tolerance)
+    : linear_(linear), options_(std::move(options)), linear_tolerance_(linear_tolerance) {
+  nox_parameters(options_, linear_tolerance_);
+}
+
+NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
+                                 const IterationCallback& observer) {
+  const auto model = make_thyra_model(system);
+  const auto start = thyra_vector(*model, rcp(new Vector(x, Teuchos::Copy)));
+  const RCP<Thyra::PreconditionerBase<double>> no_preconditioner;
+  const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
+  const RCP<NOX::Abstract::Group> group =
+      rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(start), model, model->create_W_op(),
+                                make_solve_factory(linear_), no_preconditioner, no_factory));
+  const auto test = rcp(new ConvergenceTest(system, linear_, options_, observer));
+  const auto solver = build_solver(group, test, nox_parameters(options_, linear_tolerance_));
+  try {
+    solver->solve();
+  } catch (const char* e) {
+    throw SolveError(std::string("NOX stopped: ") + e);
+  }
+  const auto& last = dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getX());
+  Tpetra::deep_copy(x, *tpetra_vector(last.getThyraRCPVector()));
+  return test->result();
+}
+
+} // namespace abut::solver

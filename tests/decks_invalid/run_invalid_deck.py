@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs `abut check DECK` and holds it against the deck's first line, a comment `expect: REGEX`.
+
+The program must end with status 2, say what REGEX asks for, and say it once however many ranks run.
+usage: run_invalid_deck.py [--seconds N] DECK -- COMMAND...   (COMMAND: [mpiexec ...] abut check)
+"""
+import argparse
+import os
+import re
+import signal
+import subprocess
+import sys
+
+
+def expectation(deck):
+    with open(deck, encoding="utf-8") as lines:
+        first = lines.readline().strip()
+    match = re.fullmatch(r"(?:#|<!--) expect: (.*?)(?: -->)?", first)
+    if not match:
+        sys.exit(f"{deck}: the first line must be '# expect: REGEX', got '{first}'")
+    return match.group(1)
+
+
+def run(command, seconds):
+    """Exit status (None after too long) and all that was printed."""
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                               text=True, start_new_session=True)
+    try:
+        output, _ = process.communicate(timeout=seconds)
+        return process.returncode, output
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        output, _ = process.communicate()
+        return None, output
+
+
+def faults(status, output, regex, seconds):
+    found = len(re.findall(regex, output))
+    if status is None:
+        yield f"still running after {seconds} s"
+    elif status != 2:
+        yield f"exit status {status}, expected 2"
+    if found != 1:
+        yield f"expected the message once, found it {found} times: {regex}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("deck")
+    parser.add_argument("command", nargs="+")
+    arguments = parser.parse_args()
+    regex = expectation(arguments.deck)
+    status, output = run(arguments.command + [arguments.deck], arguments.seconds)
+    found = list(faults(status, output, regex, arguments.seconds))
+    if found:
+        print("\n".join(found), "\n--- output:\n" + output)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/deck/deck.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_XMLParameterListCoreHelpers.hpp>
+#include <cstdio>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace abut;
+using namespace abut::deck;
+
+TEST(Deck, FillsEverySection) {
+  const Deck d = parse_deck(yaml_scene, "decks/ball.yaml");
+  EXPECT_EQ(d.title, "ball on floor");
+  EXPECT_EQ(d.mesh_path(), "decks/ball.exo");
+  ASSERT_EQ(d.materials.size(), 1u);
+  EXPECT_EQ(d.materials[0].name, "rubber");
+  EXPECT_EQ(d.materials[0].young, 10.0);
+  ASSERT_EQ(d.bodies.size(), 2u);
+  EXPECT_THAT(d.bodies[0].blocks, testing::ElementsAre("ball", "core"));
+  EXPECT_FALSE(d.bodies[0].rigid);
+  EXPECT_TRUE(d.bodies[1].rigid);
+  EXPECT_THAT(d.bodies[1].motion.rotation, testing::ElementsAre(0.0, 0.0, 1e-3));
+  EXPECT_THAT(d.bodies[1].motion.center, testing::ElementsAre(1.0, 2.0, 3.0));
+  ASSERT_EQ(d.displacements.size(), 1u);
+  EXPECT_THAT(d.displacements[0].components, testing::ElementsAre(true, true, true));
+  EXPECT_THAT(d.displacements[0].values, testing::ElementsAre(0.0, 0.0, -0.5));
+  ASSERT_EQ(d.loads.size(), 4u);
+  EXPECT_EQ(d.loads[0].kind, solid::LoadKind::traction);
+  EXPECT_EQ(d.loads[0].place, "skin");
+  EXPECT_EQ(d.loads[1].kind, solid::LoadKind::pressure);
+  EXPECT_EQ(d.loads[1].pressure, 2.5);
+  EXPECT_EQ(d.loads[2].kind, solid::LoadKind::body_force);
+  EXPECT_EQ(d.loads[2].vector[2], -9.81);
+  EXPECT_EQ(d.loads[3].kind, solid::LoadKind::force);
+  EXPECT_EQ(d.loads[3].place, "hook");
+  ASSERT_EQ(d.contact.size(), 1u);
+  EXPECT_EQ(d.contact[0].name, "ball_on_floor");
+  EXPECT_EQ(d.contact[0].enforcement, contact::Enforcement::augmented_lagrangian);
+  EXPECT_EQ(d.contact[0].penalty_factor, 20.0);
+  EXPECT_EQ(d.time.steps, 4);
+  EXPECT_FALSE(d.time.adaptive);
+  EXPECT_EQ(d.newton.line_search, solver::LineSearch::none);
+  EXPECT_EQ(d.linear.method, solver::LinearMethod::krylov);
+  EXPECT_EQ(d.linear.direct_limit, 100000);
+  EXPECT_EQ(d.output.every, 2);
+  ASSERT_EQ(d.verify.size(), 2u);
+  EXPECT_EQ(d.verify[0].quantity, Quantity::force_z);
+  EXPECT_DOUBLE_EQ(d.verify[0].allowed_error(), 0.06);
+  EXPECT_EQ((*d.verify[1].point)[2], 1.0);
+  EXPECT_EQ(d.verify[1].allowed_error(), 1e-9);
+}
+
+TEST(Deck, KeepsTheStructsDefaults) {
+  const Deck d = parse_deck("mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
+                            "bodies: {b: {blocks: [1], material: m}}\n"
+                            "contact: {c: {primary: p, secondary: s}}\n",
+                            "a.yaml");
+  const contact::ContactOptions contact;
+  EXPECT_EQ(d.contact[0].penalty_factor, contact.penalty_factor);
+  EXPECT_EQ(d.contact[0].max_augmentations, contact.max_augmentations);
+  EXPECT_EQ(d.linear.direct_limit, solver::LinearOptions().direct_limit);
+  EXPECT_EQ(d.bodies[0].blocks[0], "1");
+  EXPECT_EQ(d.mesh_path(), "a.exo");
+  EXPECT_TRUE(d.newton.nox.empty());
+}
+
+TEST(Deck, AbsentComponentIsFree) {
+  const Deck d = parse_deck("mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
+                            "bodies: {b: {blocks: [1], material: m}}\n"
+                            "displacements: {d: {set: s, y: 2}, e: {set: s, fix: [z]}}\n",
+                            "a.yaml");
+  EXPECT_THAT(d.displacements[0].components, testing::ElementsAre(false, true, false));
+  EXPECT_THAT(d.displacements[0].values, testing::ElementsAre(0.0, 2.0, 0.0));
+  EXPECT_THAT(d.displacements[1].components, testing::ElementsAre(false, false, true));
+}
+
+TEST(Deck, XmlGivesTheSameDeckAsYaml) {
+  const Deck yaml = parse_deck(yaml_scene, "ball.yaml");
+  const Deck xml = parse_deck(xml_scene, "ball.xml");
+  EXPECT_EQ(to_yaml(yaml), to_yaml(xml));
+  EXPECT_EQ(yaml.newton.nox, xml.newton.nox);
+  EXPECT_EQ(yaml.linear.muelu, xml.linear.muelu);
+  ASSERT_EQ(yaml.locations.size(), xml.locations.size());
+  EXPECT_EQ(xml.where("contact.ball_on_floor.secondary"),
+            "ball.xml:60: contact.ball_on_floor.secondary");
+}
+
+TEST(Deck, WrittenDeckReadsBackTheSame) {
+  const Deck deck = parse_deck(yaml_scene, "ball.yaml");
+  const std::string written = to_yaml(deck);
+  // What was asked, and defaults that were not, are both there.
+  EXPECT_THAT(written, testing::HasSubstr("penalty_factor: 20\n"));
+  EXPECT_THAT(written, testing::HasSubstr("max_augmentations: 20\n"));
+  EXPECT_THAT(written, testing::HasSubstr("side_set: \"inside\"\n"));
+  EXPECT_THAT(written, testing::HasSubstr("\"max levels\": 3\n"));
+  const Deck again = parse_deck(written, "ball.yaml");
+  EXPECT_EQ(to_yaml(again), written);
+  EXPECT_EQ(again.linear.muelu, deck.linear.muelu);
+}
+
+TEST(Deck, TrilinosListsArriveTyped) {
+  const Deck d = parse_deck(yaml_scene, "ball.yaml");
+  const auto nox = Teuchos::getParametersFromXmlString(d.newton.nox);
+  EXPECT_EQ(nox->sublist("Line Search").get<std::string>("Method"), "Full Step");
+  const auto muelu = Teuchos::getParametersFromXmlString(d.linear.muelu);
+  EXPECT_EQ(muelu->get<int>("max levels"), 3);
+  EXPECT_EQ(muelu->get<double>("sa: damping factor"), 1.5);
+  EXPECT_FALSE(muelu->get<bool>("repartition: enable"));
+  EXPECT_TRUE(d.linear.belos.empty());
+}
+
+TEST(Deck, GeneratorKeysKeepTheirPlace) {
+  const Deck d = parse_deck("mesh:\n  generate:\n    kind: blocks\n    size: [1, 2.5, 3]\n"
+                            "    order: 2\nmaterials: {m: {young: 1, poisson: 0}}\n"
+                            "bodies: {b: {blocks: [1], material: m}}\n",
+                            "a.yaml");
+  EXPECT_EQ(d.mesh.kind, "blocks");
+  ASSERT_EQ(d.mesh.parameters.size(), 2u);
+  EXPECT_EQ(d.mesh.parameters[0].key, "size");
+  EXPECT_EQ(d.mesh.parameters[0].text, "1,2.5,3");
+  EXPECT_EQ(d.mesh.generator_options().at("order"), "2");
+  EXPECT_EQ(d.mesh.parameters[1].where.text(), "a.yaml:5");
+  EXPECT_EQ(d.where("mesh.generate.order"), "a.yaml:5: mesh.generate.order");
+  EXPECT_EQ(to_yaml(parse_deck(to_yaml(d), "a.yaml")), to_yaml(d));
+}
+
+TEST(Deck, WhereFallsBackToTheEnclosingKey) {
+  const Deck d = parse_deck(yaml_scene, "ball.yaml");
+  EXPECT_EQ(d.where("contact.ball_on_floor.primary"),
+            "ball.yaml:22: contact.ball_on_floor.primary");
+  EXPECT_EQ(d.where("contact.ball_on_floor.reach"), "ball.yaml:21: contact.ball_on_floor.reach");
+  EXPECT_EQ(d.where("nothing.here"), "ball.yaml: nothing.here");
+}
+
+TEST(Deck, CurvesAreLinearAndConstantBeyondTheEnds) {
+  const Deck d = parse_deck(yaml_scene, "ball.yaml");
+  const Curve up = d.curve("up");
+  EXPECT_EQ(up(-1.0), 0.0);
+  EXPECT_EQ(up(0.0), 0.0);
+  EXPECT_EQ(up(0.25), 0.5);
+  EXPECT_EQ(up(0.5), 1.0);
+  EXPECT_EQ(up(7.0), 1.0);
+  EXPECT_EQ(d.curve("")(0.3), 0.3);
+  EXPECT_THROW(d.curve("down"), Defect);
+  const Curve jagged{"j", {{-1.0, 2.0}, {1.0, -2.0}, {3.0, 6.0}}};
+  EXPECT_EQ(jagged(-5.0), 2.0);
+  EXPECT_EQ(jagged(0.5), -1.0);
+  EXPECT_EQ(jagged(2.0), 2.0);
+  EXPECT_EQ(jagged(9.0), 6.0);
+}
+
+TEST(Deck, EveryRankReadsTheSameOrFailsTheSame) {
+  const Comm comm(MPI_COMM_WORLD);
+  const std::string file = "test_deck_ranks" + std::to_string(comm.size()) + ".yaml";
+  comm.on_root([&] { std::ofstream(file) << yaml_scene; });
+  const Deck deck = read_deck(comm, file);
+  EXPECT_EQ(to_yaml(deck), to_yaml(parse_deck(yaml_scene, file)));
+  comm.on_root([&] { std::remove(file.c_str()); });
+  for (const char* absent : {"no_such_deck.yaml", "."}) {
+    try {
+      read_deck(comm, absent);
+      ADD_FAILURE() << absent;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), testing::StartsWith(std::string(absent) + ": "));
+    }
+  }
+}

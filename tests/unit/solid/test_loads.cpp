@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "automatic.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/solid/face_kernel.hpp"
+#include "abut/solid/load_contribution.hpp"
+#include "abut/solid/reference_checks.hpp"
+#include "abut_test/dense_system.hpp"
+#include "small_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace abut;
+using namespace abut::solid;
+using fem::CellType;
+
+namespace {
+
+const CellType all_cells[] = {CellType::hex8, CellType::hex20, CellType::hex27,
+                              CellType::tet4, CellType::tet10, CellType::wedge6};
+
+mesh::Mesh one_element(CellType type, std::mt19937& engine, double distortion = 0.08) {
+  mesh::Mesh mesh = test::separate_elements(
+      type, {test::straight_nodes(type, test::distorted_corners(type, distortion, engine))});
+  for (int s = 0; s < fem::info(type).sides; ++s) {
+    mesh.side_sets["all"].push_back({0, 0, s});
+    mesh.side_sets["side" + std::to_string(s)].push_back({0, 0, s});
+  }
+  mesh.node_sets["two"] = {0, 3};
+  return mesh;
+}
+
+LoadOptions load(LoadKind kind, const std::string& place) {
+  LoadOptions o;
+  o.name = "load";
+  o.kind = kind;
+  o.place = place;
+  o.vector = {2.0, -3.0, 5.0};
+  o.pressure = 1.7;
+  return o;
+}
+
+/// Sum of the nodal external forces and their moment about the origin at positions x.
+struct Resultant {
+  Vec3 force = Vec3::zero(), moment = Vec3::zero();
+  Resultant(const std::vector<double>& r, const std::vector<double>& x) {
+    for (std::size_t a = 0; a < r.size(); a += 3) {
+      const Vec3 f{{-r[a], -r[a + 1], -r[a + 2]}};
+      force += f;
+      moment += cross(Vec3{{x[a], x[a + 1], x[a + 2]}}, f);
+    }
+  }
+};
+
+TEST(Loads, TractionResultantIsForceTimesReferenceArea) {
+  std::mt19937 engine(1);
+  for (const CellType type : all_cells) {
+    const mesh::Mesh mesh = one_element(type, engine, 0.0);
+    const bool tet = type == CellType::tet4 || type == CellType::tet10;
+    // Faces of the reference cell with z = -1 (z = 0 for tetrahedra).
+    const double area = tet || type == CellType::wedge6 ? 0.5 : 4.0;
+    const std::string place =
+        type == CellType::hex8 || type == CellType::hex20 || type == CellType::hex27 ? "side4"
+                                                                                     : "side3";
+    LoadContribution c(mesh, load(LoadKind::traction, place), [](double t) { return 10.0 * t; });
+    EXPECT_TRUE(c.symmetric());
+    EXPECT_FALSE(c.internal_force());
+    abut_test::DenseSystem system(mesh.num_local(), 3);
+    system.u = test::random_vector(system.u.size(), 0.3, engine); // dead: must not matter
+    system.evaluate(c, true, 0.5);
+    const Resultant sum(system.residual, mesh.x);
+    const LoadOptions o = load(LoadKind::traction, "");
+    const double centroid = tet || type == CellType::wedge6 ? 1.0 / 3.0 : 0.0;
+    const Vec3 force{{5 * area * o.vector[0], 5 * area * o.vector[1], 5 * area * o.vector[2]}};
+    const Vec3 moment = cross(Vec3{{centroid, centroid, tet ? 0.0 : -1.0}}, force);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(sum.force[i], force[i], 1e-13 * norm(force)) << fem::info(type).name;
+      EXPECT_NEAR(sum.moment[i], moment[i], 1e-13 * norm(force)) << fem::info(type).name;
+    }
+    for (const double k : system.tangent)
+      EXPECT_EQ(k, 0.0);
+  }
+}
+
+TEST(Loads, BodyForceResultantIsForceTimesReferenceVolume) {
+  std::mt19937 engine(2);
+  for (const CellType type : all_cells) {
+    const mesh::Mesh mesh = one_element(type, engine);
+    LoadContribution c(mesh, load(LoadKind::body_force, "body"), {});
+    abut_test::DenseSystem system(mesh.num_local(), 3);
+    system.evaluate(c, true, 0.25);
+    const Resultant sum(system.residual, mesh.x);
+    const double volume = element_volume(mesh, 0, 0);
+    const LoadOptions o = load(LoadKind::body_force, "");
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(sum.force[i], 0.25 * volume * o.vector[i], 2e-14 * volume);
+  }
+}
+
+TEST(Loads, NodalForceGoesToOwnedNodesOnly) {
+  std::mt19937 engine(2);
+  mesh::Mesh mesh = one_element(CellType::hex8, engine);
+  mesh.num_owned = 2; // node 3 plays a ghost
+  LoadContribution c(mesh, load(LoadKind::force, "two"), [](double t) { return 2.0 * t; });
+  EXPECT_EQ(c.connectivity().cells(), 1);
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  system.evaluate(c, true, 3.0);
+  EXPECT_EQ(system.residual[0], -12.0);
+  EXPECT_EQ(system.residual[1], 18.0);
+  EXPECT_EQ(system.residual[2], -30.0);
+  for (std::size_t i = 3; i < system.residual.size(); ++i)
+    EXPECT_EQ(system.residual[i], 0.0);
+}
+
+// A closed surface under uniform pressure has no resultant force and no moment, however deformed.
+TEST(Loads, PressureOnClosedSurfaceBalances) {
+  std::mt19937 engine(4);
+  for (const CellType type : all_cells) {
+    const mesh::Mesh mesh = one_element(type, engine);
+    LoadContribution c(mesh, load(LoadKind::pressure, "all"), {});
+    EXPECT_FALSE(c.symmetric());
+    abut_test::DenseSystem system(mesh.num_local(), 3);
+    system.u = test::random_vector(system.u.size(), 0.1, engine);
+    std::vector<double> x = mesh.x;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += system.u[i];
+    system.evaluate(c, true);
+    const Resultant sum(system.residual, x);
+    EXPECT_NEAR(norm(sum.force), 0.0, 1e-13) << fem::info(type).name;
+    EXPECT_NEAR(norm(sum.moment), 0.0, 1e-13) << fem::info(type).name;
+  }
+}
+
+// Positive pressure pushes inwards: force = -p A n with the current area.
+TEST(Loads, PressurePushesInwardsOnCurrentArea) {
+  std::mt19937 engine(4);
+  const mesh::Mesh mesh = one_element(CellType::hex8, engine, 0.0);
+  LoadContribution c(mesh, load(LoadKind::pressure, "side5"), {}); // z = 1
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  for (std::size_t i = 0; i < system.u.size(); i += 3)
+    system.u[i] = 0.5 * mesh.x[i];
+  system.evaluate(c, false, 2.0);
+  const Resultant sum(system.residual, mesh.x);
+  EXPECT_NEAR(sum.force[0], 0.0, 1e-14);
+  EXPECT_NEAR(sum.force[1], 0.0, 1e-14);
+  EXPECT_NEAR(sum.force[2], -2.0 * 1.7 * 6.0, 1e-13);
+}
+
+template <fem::FaceType F> void check_pressure_tangent() {
+  constexpr int n = ReferenceFace<F>::nodes, size = 3 * n;
+  using Ad = Sacado::Fad::SFad<double, size>;
+  std::mt19937 engine(9);
+  const std::vector<double> random = test::random_vector(size, 1.0, engine);
+  Vec3 x[n];
+  Vec<Ad, 3> x_ad[n], r[n];
+  for (int a = 0; a < n; ++a) {
+    double xi[2];
+    fem::FaceShape<F>::node(a, xi);
+    for (int i = 0; i < 3; ++i) {
+      x[a][i] = (i < 2 ? xi[i] : 0.0) + 0.2 * random[3 * a + i];
+      x_ad[a][i] = Ad(size, 3 * a + i, x[a][i]);
+    }
+  }
+  pressure_residual(reference_face<F>(), 1.7, x_ad, r);
+  double k[size * size];
+  pressure_tangent(reference_face<F>(), 1.7, x, k);
+  double largest = 0.0, asymmetry = 0.0;
+  for (int p = 0; p < size; ++p)
+    for (int q = 0; q < size; ++q) {
+      EXPECT_NEAR(k[p * size + q], r[p / 3][p % 3].dx(q), 1e-14);
+      largest = std::max(largest, std::abs(k[p * size + q]));
+      asymmetry = std::max(asymmetry, std::abs(k[p * size + q] - k[q * size + p]));
+    }
+  EXPECT_GT(largest, 0.01);
+  EXPECT_GT(asymmetry, 0.01);
+}
+
+TEST(Loads, PressureTangentMatchesAutomaticDifferentiation) {
+  check_pressure_tangent<fem::FaceType::quad4>();
+  check_pressure_tangent<fem::FaceType::quad8>();
+  check_pressure_tangent<fem::FaceType::quad9>();
+  check_pressure_tangent<fem::FaceType::tri3>();
+  check_pressure_tangent<fem::FaceType::tri6>();
+}
+
+// Through the contribution: residual is quadratic in u, so central differences are exact.
+TEST(Loads, PressureTangentThroughContribution) {
+  std::mt19937 engine(6);
+  const mesh::Mesh mesh = one_element(CellType::wedge6, engine); // quads and triangles
+  LoadContribution c(mesh, load(LoadKind::pressure, "all"), [](double t) { return 3.0 * t; });
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  system.u = test::random_vector(system.u.size(), 0.1, engine);
+  system.evaluate(c, true);
+  const std::vector<double> k = system.tangent;
+  const std::size_t size = system.u.size();
+  for (std::size_t q = 0; q < size; ++q) {
+    const double at = system.u[q];
+    system.u[q] = at + 0.5;
+    system.evaluate(c, false);
+    const std::vector<double> plus = system.residual;
+    system.u[q] = at - 0.5;
+    system.evaluate(c, false);
+    system.u[q] = at;
+    for (std::size_t p = 0; p < size; ++p)
+      EXPECT_NEAR(k[p * size + q], plus[p] - system.residual[p], 1e-13);
+  }
+}
+
+TEST(Loads, UnknownPlaceIsADefect) {
+  std::mt19937 engine(6);
+  const mesh::Mesh mesh = one_element(CellType::hex8, engine);
+  for (const LoadKind kind :
+       {LoadKind::traction, LoadKind::pressure, LoadKind::body_force, LoadKind::force})
+    EXPECT_THROW(LoadContribution(mesh, load(kind, "nowhere"), {}), Defect);
+}
+
+} // namespace

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/core/error.hpp"
+#include "abut/solid/element_fields.hpp"
+#include "abut/solid/element_kernel.hpp"
+#include "abut/solid/solid_contribution.hpp"
+#include "abut_test/dense_system.hpp"
+#include "small_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace abut;
+using namespace abut::solid;
+using fem::CellType;
+
+namespace {
+
+const CellType all_cells[] = {CellType::hex8, CellType::hex20, CellType::hex27,
+                              CellType::tet4, CellType::tet10, CellType::wedge6};
+
+mesh::Mesh two_elements(CellType type, std::mt19937& engine) {
+  const auto one = [&] {
+    return test::straight_nodes(type, test::distorted_corners(type, 0.08, engine));
+  };
+  return test::separate_elements(type, {one(), one()});
+}
+
+// The whole path gather, evaluate, scatter gives what the element kernel gives, in the right rows,
+// and leaves fields beyond the displacement alone.
+TEST(SolidContribution, ScattersElementResults) {
+  std::mt19937 engine(3);
+  const NeoHookean law{0.4, 0.7};
+  for (const CellType type : all_cells)
+    for (const int fields : {3, 4}) {
+      const mesh::Mesh mesh = two_elements(type, engine);
+      SolidContribution solid(mesh, 0, law);
+      EXPECT_TRUE(solid.internal_force());
+      EXPECT_TRUE(solid.symmetric());
+      abut_test::DenseSystem system(mesh.num_local(), fields);
+      system.u = test::random_vector(system.u.size(), 0.05, engine);
+      system.evaluate(solid, true);
+      const int size = mesh.num_local() * fields;
+      fem::dispatch_cell(type, [&](auto shape) {
+        constexpr CellType C = decltype(shape)::type;
+        constexpr int n = ReferenceCell<C>::nodes;
+        for (int e = 0; e < 2; ++e) {
+          double x[3][n], u[3][n], r[3][n];
+          for (int a = 0; a < n; ++a)
+            for (int i = 0; i < 3; ++i) {
+              x[i][a] = mesh.x[3 * (e * n + a) + i];
+              u[i][a] = system.u[fields * (e * n + a) + i];
+            }
+          std::vector<double> k(9 * n * n);
+          element_residual<C>(reference_cell<C>(), law, x, u, r);
+          element_tangent<C>(reference_cell<C>(), law, x, u, k.data());
+          for (int a = 0; a < n; ++a)
+            for (int i = 0; i < fields; ++i) {
+              const int row = (e * n + a) * fields + i;
+              EXPECT_EQ(system.residual[row], i < 3 ? r[i][a] : 0.0);
+              for (int column = 0; column < size; ++column) {
+                const int b = column / fields - e * n, j = column % fields;
+                const bool own = b >= 0 && b < n && i < 3 && j < 3;
+                EXPECT_EQ(system.tangent[std::size_t(row) * size + column],
+                          own ? k[(3 * a + i) * 3 * n + 3 * b + j] : 0.0);
+              }
+            }
+        }
+      });
+    }
+}
+
+TEST(SolidContribution, InvertedElementIsASolveErrorThatNamesIt) {
+  std::mt19937 engine(3);
+  const mesh::Mesh mesh = two_elements(CellType::hex8, engine);
+  SolidContribution solid(mesh, 0, NeoHookean{0.4, 0.7});
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  for (int a = 8; a < 16; ++a)
+    system.u[3 * a + 2] = -2.0 * mesh.x[3 * a + 2]; // second: mirrored
+  for (const bool with_tangent : {false, true}) {
+    try {
+      system.evaluate(solid, with_tangent);
+      FAIL() << "no error";
+    } catch (const SolveError& error) {
+      EXPECT_NE(std::string(error.what()).find("element 102 of block 'body'"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("det F = -1"), std::string::npos) << error.what();
+    }
+  }
+  system.u.assign(system.u.size(), 0.0);
+  system.u[3] = std::nan("");
+  EXPECT_THROW(system.evaluate(solid, false), SolveError);
+  system.u[3] = 0.0;
+  EXPECT_NO_THROW(system.evaluate(solid, true));
+}
+
+TEST(SolidContribution, LinearElasticityIgnoresInversion) {
+  std::mt19937 engine(3);
+  const mesh::Mesh mesh = two_elements(CellType::tet4, engine);
+  SolidContribution solid(mesh, 0, LinearElastic{0.4, 0.7});
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  for (std::size_t i = 2; i < system.u.size(); i += 3)
+    system.u[i] = -2.0 * mesh.x[i];
+  EXPECT_NO_THROW(system.evaluate(solid, true));
+}
+
+// Free column under axial stretch 0.5 (E = 1, nu = 0.3): Cauchy stress N/y, nothing else.
+TEST(ElementFields, FreeColumn) {
+  const CellType type = CellType::hex8;
+  std::mt19937 engine(5);
+  const mesh::Mesh mesh = two_elements(type, engine);
+  MaterialOptions options;
+  options.young = 1.0;
+  options.poisson = 0.3;
+  const double y = 1.465957674, axial = 0.5, nominal = -0.93535206;
+  std::vector<double> u(mesh.x.size());
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = mesh.x[i] * ((i % 3 == 2 ? axial : std::sqrt(y)) - 1.0);
+  const Material material = make_material(options);
+  const ElementFields out = element_fields(mesh, 0, material, {u.data(), 3, 1.0});
+  ASSERT_EQ(out.von_mises.size(), 2u);
+  const double expected[] = {0, 0, nominal / y, 0, 0, 0};
+  double volume = 0.0;
+  for (int e = 0; e < 2; ++e) {
+    for (int v = 0; v < 6; ++v)
+      EXPECT_NEAR(out.stress[6 * e + v], expected[v], 1e-8);
+    EXPECT_NEAR(out.von_mises[e], -nominal / y, 1e-8);
+  }
+  const ReferenceCell<type>& cell = reference_cell<type>();
+  for (int e = 0; e < 2; ++e) {
+    double x[3][8];
+    for (int a = 0; a < 8; ++a)
+      for (int i = 0; i < 3; ++i)
+        x[i][a] = mesh.x[3 * (8 * e + a) + i];
+    for (int p = 0; p < 8; ++p)
+      volume += cell.weight[p] * det(nodal_gradient(x, cell.dN[p]));
+  }
+  const double shear = 0.5 / 1.3, lambda = 0.3 / (1.3 * 0.4), log_j = std::log(axial * y);
+  const double density =
+      0.5 * shear * (2 * y + axial * axial - 3.0) - shear * log_j + 0.5 * lambda * log_j * log_j;
+  EXPECT_NEAR(out.total_energy(), density * volume, 1e-13 * volume);
+  EXPECT_GT(density, 0.1);
+}
+
+TEST(ElementFields, VonMises) {
+  const double shear[6] = {5, 5, 5, 2, 0, 0};
+  EXPECT_NEAR(von_mises(shear), 2.0 * std::sqrt(3.0), 1e-15);
+}
+
+} // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/solver/augmented.hpp"
+
+#include "abut/solver/linear_solver.hpp"
+#include "dense_system.hpp"
+
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace abut {
+namespace {
+
+using solver::AugmentReport;
+using test::DenseSystem;
+using test::Values;
+
+/// Two springs in a row, pulled by `force` against a rigid stop at `gap`.
+struct Stop {
+  double k0 = 3.0, k1 = 6.0, force = 10.0, gap = 1.0, penalty = 4.0, multiplier = 0.0;
+
+  double stiffness() const { return k0 * k1 / (k0 + k1); } ///< felt at the stop
+  double exact_force() const { return force - stiffness() * gap; }
+  double traction(double x) const { return std::max(0.0, multiplier + penalty * (x - gap)); }
+
+  DenseSystem system() const {
+    return {2,
+            [this](const Values& x) {
+              const double pull = k1 * (x[1] - x[0]);
+              return Values{k0 * x[0] - pull, pull + traction(x[1]) - force};
+            },
+            [this](const Values& x) {
+              return Values{k0 + k1, -k1, -k1, k1 + (traction(x[1]) > 0.0 ? penalty : 0.0)};
+            }};
+  }
+};
+
+class Augmented : public ::testing::Test {
+protected:
+  Augmented() : system(stop.system()) {
+    system.reference = 10.0;
+    solver::NewtonOptions options;
+    options.tolerance = 1e-13;
+    linear = solver::make_linear_solver({}, system);
+    newton = std::make_unique<solver::NewtonSolver>(*linear, options);
+    x = std::make_unique<Vector>(system.vector({0.0, 0.0}));
+  }
+  double contact_force() const { return stop.traction(system.gather(*x)[1]); }
+
+  Stop stop;
+  DenseSystem system;
+  std::unique_ptr<solver::LinearSolver> linear;
+  std::unique_ptr<solver::NewtonSolver> newton;
+  std::unique_ptr<Vector> x;
+};
+
+TEST_F(Augmented, WithoutCallbackIsOnePenaltySolve) {
+  solver::AugmentedLagrangian loop(*newton);
+  const auto result = loop.solve(system, *x);
+  ASSERT_TRUE(result.converged);
+  EXPECT_EQ(result.augmentations, 0);
+  EXPECT_EQ(result.solves.size(), 1u);
+  // The penalty spring shares the load with the others.
+  const double penetration = stop.exact_force() / (stop.stiffness() + stop.penalty);
+  EXPECT_NEAR(system.gather(*x)[1], stop.gap + penetration, 1e-13);
+}
+
+TEST_F(Augmented, ContractsByTheUzawaFactor) {
+  Values errors;
+  const auto augment = [&](int) {
+    const double force = contact_force();
+    AugmentReport report;
+    errors.push_back(stop.exact_force() - force);
+    report.change = std::abs(force - stop.multiplier) / force;
+    report.converged = report.change < 1e-13;
+    if (!report.converged)
+      stop.multiplier = force;
+    return report;
+  };
+  solver::AugmentedLagrangian loop(*newton, augment);
+  const auto result = loop.solve(system, *x);
+  ASSERT_TRUE(result.converged) << result.reason;
+  EXPECT_EQ(result.augmentations + 1, static_cast<int>(errors.size()));
+  EXPECT_EQ(result.solves.size(), errors.size());
+  EXPECT_GT(result.augmentations, 10);
+  const double factor = stop.stiffness() / (stop.stiffness() + stop.penalty);
+  int compared = 0;
+  for (std::size_t i = 1; i < errors.size() && errors[i] > 1e-4; ++i, ++compared)
+    EXPECT_NEAR(errors[i] / errors[i - 1], factor, 1e-10);
+  EXPECT_GE(compared, 5);
+  EXPECT_NEAR(stop.multiplier, stop.exact_force(), 1e-11);
+  EXPECT_NEAR(system.gather(*x)[1], stop.gap, 1e-11);
+}
+
+TEST_F(Augmented, TheCallbackCanBeReplaced) {
+  solver::AugmentedLagrangian loop(*newton, [](int) { return AugmentReport{}; });
+  EXPECT_EQ(loop.solve(system, *x).augmentations, 0);
+  // The exact multiplier at once: one augmentation.
+  loop.set_callback([&](int augmentation) {
+    AugmentReport report;
+    report.converged = augmentation == 1;
+    stop.multiplier = stop.exact_force();
+    return report;
+  });
+  const auto result = loop.solve(system, *x);
+  ASSERT_TRUE(result.converged);
+  EXPECT_EQ(result.augmentations, 1);
+  EXPECT_NEAR(system.gather(*x)[1], stop.gap, 1e-13);
+}
+
+TEST_F(Augmented, StopsAtAPlateauAndSaysSo) {
+  solver::AugmentedLagrangian loop(*newton, [&](int augmentation) {
+    AugmentReport report;
+    report.converged = false;
+    report.stalled = augmentation == 3;
+    if (report.stalled)
+      report.reason = "The gap no longer falls.";
+    stop.multiplier += 0.1;
+    return report;
+  });
+  const auto result = loop.solve(system, *x);
+  EXPECT_TRUE(result.converged);
+  EXPECT_TRUE(result.stalled);
+  EXPECT_EQ(result.augmentations, 3);
+  EXPECT_EQ(result.reason, "The gap no longer falls.");
+}
+
+TEST_F(Augmented, ReportsAFailedSolve) {
+  solver::NewtonOptions options;
+  options.max_iterations = 0;
+  solver::NewtonSolver impatient(*linear, options);
+  int calls = 0;
+  solver::AugmentedLagrangian loop(impatient, [&](int) {
+    ++calls;
+    return AugmentReport{};
+  });
+  const auto result = loop.solve(system, *x);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(calls, 0);
+  EXPECT_FALSE(result.reason.empty());
+}
+
+} // namespace
+} // namespace abut
