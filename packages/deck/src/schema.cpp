@@ -4,6 +4,7 @@
 #include "describe.hpp"
 #include "documenter.hpp"
 
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 namespace abut::deck {
@@ -50,6 +51,11 @@ std::string notes(const Field& map) {
   if (!map.at_least_one.empty())
     s += (s.empty() ? "" : " ") + ("At least one of: " + joined(map.at_least_one) + ".");
   return s;
+}
+
+std::string sentence(std::string s, const std::string& status) {
+  s[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(s[0])));
+  return s + (status.empty() ? "." : " (" + status + ").");
 }
 
 bool has_doc(const Field& field) {
@@ -128,9 +134,7 @@ void write_markdown(const Field& map, const std::string& path, std::string& out)
     std::string name = path.empty() ? field.key : path + "." + field.key;
     if (field.kind == Field::Kind::named_map)
       name += ".NAME";
-    const std::string status = status_text(field);
-    out +=
-        "## " + name + "\n\n" + field.doc + (status.empty() ? "." : " (" + status + ").") + "\n\n";
+    out += "## " + name + "\n\n" + sentence(field.doc, status_text(field)) + "\n\n";
     if (field.kind == Field::Kind::curve_map)
       out += "`NAME: [[t, value], [t, value], ...]`, two points or more, t growing.\n\n";
     write_markdown(field, name, out);
@@ -254,7 +258,7 @@ std::string schema_markdown() {
   std::string out = "# Deck reference\n\n"
                     "Written by `abut schema --markdown` from the declaration that also checks "
                     "decks.\nNAME stands for a name of your choice; any consistent units will do. "
-                    "The same keys hold in YAML and in XML\n(Teuchos `ParameterList`: maps are "
+                    "The same keys hold in YAML and in\nXML (Teuchos `ParameterList`: maps are "
                     "sublists, lists are `Array(...)`, lists of lists `TwoDArray(...)`).\n\n";
   write_markdown(schema(), "", out);
   while (out.size() > 1 && out[out.size() - 2] == '\n')

@@ -25,8 +25,26 @@ Type type_of(const Value& scalar) {
   return parse_number(scalar.text, x) ? Type::number : Type::text;
 }
 
+/// Teuchos writes names and values into XML as they are.
+std::string escaped(const std::string& text) {
+  std::string s;
+  for (const char c : text) {
+    if (c == '&')
+      s += "&amp;";
+    else if (c == '<')
+      s += "&lt;";
+    else if (c == '>')
+      s += "&gt;";
+    else if (c == '"')
+      s += "&quot;";
+    else
+      s += c;
+  }
+  return s;
+}
+
 void convert(const Value& scalar, std::string& out) {
-  out = scalar.text;
+  out = escaped(scalar.text);
 }
 void convert(const Value& scalar, double& out) {
   parse_number(scalar.text, out);
@@ -57,7 +75,7 @@ void refuse_control_characters(const Value::Entry& entry, const std::string& tex
 template <class T> void set_scalar(Teuchos::ParameterList& list, const Value::Entry& entry) {
   T x{};
   convert(entry.value, x);
-  list.set(entry.key, x);
+  list.set(escaped(entry.key), x);
 }
 
 template <class T> void set_array(Teuchos::ParameterList& list, const Value::Entry& entry) {
@@ -67,7 +85,7 @@ template <class T> void set_array(Teuchos::ParameterList& list, const Value::Ent
     convert(item, x);
     array.push_back(x);
   }
-  list.set(entry.key, array);
+  list.set(escaped(entry.key), array);
 }
 
 void set_list(Teuchos::ParameterList& list, const Value::Entry& entry) {
@@ -82,6 +100,9 @@ void set_list(Teuchos::ParameterList& list, const Value::Entry& entry) {
     refuse_control_characters(entry, item.text);
     type = std::max(type, t == Type::boolean ? Type::text : t);
   }
+  for (const Value& item : entry.value.items)
+    if (type == Type::text && item.text.find_first_of(",{}") != std::string::npos)
+      fail(entry, "an item of an Array must not hold ',', '{' or '}': '" + item.text + "'");
   switch (type) {
   case Type::whole:
     return set_array<int>(list, entry);
@@ -101,7 +122,7 @@ void set_map(Teuchos::ParameterList& list, const Value& map) {
     case Value::Kind::nothing:
       fail(entry, "expected a value, got nothing");
     case Value::Kind::map:
-      set_map(list.sublist(entry.key), entry.value);
+      set_map(list.sublist(escaped(entry.key)), entry.value);
       continue;
     case Value::Kind::list:
       set_list(list, entry);

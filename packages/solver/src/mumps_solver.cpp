@@ -58,6 +58,8 @@ const char* const singular_message =
 
 } // namespace
 
+constexpr double same_values = 1e-13; ///< change of the matrix, to its largest value, that is none
+
 class MumpsSolver::Instance {
 public:
   Instance(const RCP<const Map>& map, bool symmetric)
@@ -101,7 +103,11 @@ public:
     const bool analysed = analysed_ && graph_version == graph_version_;
     if (!analysed)
       read_graph(matrix);
+    const std::vector<double> before = std::move(values_);
     read_values(matrix);
+    if (analysed && factored_ && !comm_.any(differ(before, values_)))
+      return; // an augmentation that changed no point's status, a linear scene
+    factored_ = false;
     if (!analysed) {
       analysed_ = false;
       run(1);
@@ -120,6 +126,7 @@ public:
     check_status();
     if (data_.infog[27] > 0)
       throw SolveError(singular_message);
+    factored_ = true;
   }
 
   /// x = A^-1 b with the present factors.
@@ -134,6 +141,18 @@ public:
   }
 
 private:
+  /// Whether factors of `a` would not serve `b` as well, refinement of the solution included.
+  static bool differ(const std::vector<double>& a, const std::vector<double>& b) {
+    if (a.size() != b.size())
+      return true;
+    double largest = 0.0, change = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      largest = std::max(largest, std::fabs(a[i]));
+      change = std::max(change, std::fabs(a[i] - b[i]));
+    }
+    return !(change <= same_values * largest);
+  }
+
   MUMPS_INT& icntl(int i) { return data_.icntl[i - 1]; }
 
   void run(int job) {
@@ -215,7 +234,7 @@ private:
   bool symmetric_;
   DMUMPS_STRUC_C data_{};
   Global first_ = 0; ///< position of this rank's first row
-  bool analysed_ = false;
+  bool analysed_ = false, factored_ = false;
   long graph_version_ = 0;
   std::vector<MUMPS_INT> columns_, rows_of_entries_, columns_of_entries_;
   std::vector<double> values_, gathered_;

@@ -159,6 +159,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{12, "trilinos: {Belos: {a: []}}", "d.yaml:12: a: an empty list has no type"},
         Case{12, "trilinos: {Belos: {a: \"1\\n2\"}}",
              "d.yaml:12: a: expected one line of text without control characters"},
+        Case{12, "trilinos: {Belos: {a: [\"b,c\"]}}",
+             "d.yaml:12: a: an item of an Array must not hold ',', '{' or '}': 'b,c'"},
         Case{12, "trilinos: {Aztec: {}}",
              "d.yaml:12: trilinos.Aztec: unknown key; valid: NOX, Belos, MueLu, Ifpack2"}));
 

@@ -160,7 +160,8 @@ TEST(Numbers, AreReadWholeAndPrintedExactly) {
 
 TEST(TrilinosList, TypesFollowTheValues) {
   const Value map = parse_yaml("n: 3\nbig: 5000000000\nx: 1e-3\nb: true\ns: GMRES\nq: \"3\"\n"
-                               "i: [1, 2]\nd: [1, 2.5]\nt: [a, 1]\nsub: {deep: {k: -1}}\n",
+                               "i: [1, 2]\nd: [1, 2.5]\nt: [a, 1]\nsub: {deep: {k: -1}}\n"
+                               "\"a < b & 'c'\": 'x > \"y\" & <z>'\n",
                                "d.yaml");
   const auto list = Teuchos::getParametersFromXmlString(to_parameter_list_xml(map, "NOX"));
   EXPECT_EQ(list->get<int>("n"), 3);
@@ -172,5 +173,6 @@ TEST(TrilinosList, TypesFollowTheValues) {
   EXPECT_EQ(list->get<Teuchos::Array<int>>("i")[1], 2);
   EXPECT_EQ(list->get<Teuchos::Array<double>>("d")[1], 2.5);
   EXPECT_EQ(list->get<Teuchos::Array<std::string>>("t")[1], "1");
+  EXPECT_EQ(list->get<std::string>("a < b & 'c'"), "x > \"y\" & <z>");
   EXPECT_EQ(list->sublist("sub").sublist("deep").get<int>("k"), -1);
 }
