@@ -110,14 +110,13 @@ void Interaction::collect_if_moved() {
     }
     return std::sqrt(most);
   };
-  const bool first = x_primary_collected_.empty() && x_secondary_collected_.empty();
-  double moved = first ? std::numeric_limits<double>::max()
-                       : comm_.max(motion(x_primary_, x_primary_collected_)) +
-                             comm_.max(motion(x_secondary_, x_secondary_collected_));
-  if (comm_.max(moved) <= slack_) {
+  if (collected_ && comm_.max(motion(x_primary_, x_primary_collected_)) +
+                            comm_.max(motion(x_secondary_, x_secondary_collected_)) <=
+                        slack_) {
     facing_.update(x_secondary_);
     return;
   }
+  collected_ = true;
   x_primary_collected_ = x_primary_;
   x_secondary_collected_ = x_secondary_;
   std::vector<Box<3>> boxes;

@@ -138,6 +138,7 @@ class Interaction : public Contribution {
   std::vector<PointState> points_;
   std::vector<double> weight_;        ///< (I,P) quadrature weight times reference area [length^2]
   std::vector<double> x_primary_, x_secondary_;             ///< current (nodes, 3)
+  bool collected_ = false; ///< on all ranks together
   std::vector<double> x_primary_collected_, x_secondary_collected_;
   std::vector<Pair> pair_list_;
   Connectivity pairs_;
