@@ -55,6 +55,8 @@ void check_names(const Model& m) {
   const auto node_sets = names(m.mesh->node_sets), side_sets = names(m.mesh->side_sets);
   std::vector<std::string> sets = node_sets;
   sets.insert(sets.end(), side_sets.begin(), side_sets.end());
+  std::sort(sets.begin(), sets.end()); // a name may stand for both
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
   for (const auto& b : deck.bodies)
     for (const std::string& block : b.blocks)
       require_name(deck, "bodies." + b.name + ".blocks", "block", block, blocks);

@@ -7,8 +7,8 @@
 
 namespace abut::app {
 
-Progress::Progress(bool is_root, bool quiet, double end)
-    : active_(is_root && !quiet), terminal_(active_ && isatty(STDOUT_FILENO)), end_(end),
+Progress::Progress(bool is_root, bool quiet, bool launched, double end)
+    : active_(is_root && !quiet), terminal_(active_ && !launched && isatty(STDOUT_FILENO)), end_(end),
       start_(std::chrono::steady_clock::now()) {}
 
 void Progress::line(const std::string& text) {

@@ -13,7 +13,8 @@ namespace abut::app {
 /// when quiet. Prints on the root only.
 class Progress {
  public:
-  Progress(bool is_root, bool quiet, double end);
+  /// Under a launcher stdout may look like a terminal but end in a file: plain lines then.
+  Progress(bool is_root, bool quiet, bool launched, double end);
 
   void line(const std::string& text); ///< a lasting line
   void iteration(const solver::IterationReport& report);

@@ -54,7 +54,7 @@ int run(const RunOptions& options) {
   create_folder(comm, options.output_dir);
   const auto model = build_model(comm, options.deck);
   Model& m = *model;
-  Progress progress(comm.is_root(), options.quiet, m.deck.time.end);
+  Progress progress(comm.is_root(), options.quiet, comm.size() > 1, m.deck.time.end);
 
   const auto map = m.equations->dofs().map();
   Vector x(map), f(map);

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
+# The system's Python: it has numpy and netCDF4 from Debian packages, which another one need not have.
+set(ABUT_SCENE_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy and netCDF4 for the scene tests")
+
 # abut_test(NAME SOURCES a.cpp ... LIBRARIES abut::x ... [LABEL unit] [RANKS 1 2 4])
 # A GoogleTest program, run under mpiexec once for each rank count.
 function(abut_test name)
@@ -28,4 +31,34 @@ function(abut_test_properties test ranks label)
   set_tests_properties(${test} PROPERTIES
     LABELS "${label}" PROCESSORS ${ranks} TIMEOUT 600
     ENVIRONMENT "OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_btl_base_warn_component_unused=0")
+endfunction()
+
+# abut_scene_test(NAME FILE file.py LABEL label [RANKS 1 2] [PROCESSORS n] [SECONDS n] [ARGUMENTS a ...])
+# A Python unittest file that runs the program on whole scenes, once for each rank count. PROCESSORS: cores
+# to keep free for it when the file starts more ranks by itself. tests/support is on its module path.
+function(abut_scene_test name)
+  cmake_parse_arguments(arg "" "FILE;LABEL;PROCESSORS;SECONDS" "RANKS;ARGUMENTS" ${ARGN})
+  if(NOT TARGET abut)
+    return()
+  endif()
+  if(NOT arg_RANKS)
+    set(arg_RANKS 1)
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_FILE BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  foreach(ranks ${arg_RANKS})
+    set(test ${name}_np${ranks})
+    add_test(NAME ${test} COMMAND ${ABUT_SCENE_PYTHON} -B ${arg_FILE} ${arg_ARGUMENTS})
+    if(arg_PROCESSORS)
+      abut_test_properties(${test} ${arg_PROCESSORS} "${arg_LABEL}")
+    else()
+      abut_test_properties(${test} ${ranks} "${arg_LABEL}")
+    endif()
+    if(arg_SECONDS)
+      set_tests_properties(${test} PROPERTIES TIMEOUT ${arg_SECONDS})
+    endif()
+    list(JOIN ABUT_MPIEXEC_FLAGS " " flags)
+    set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT
+      "ABUT_EXECUTABLE=$<TARGET_FILE:abut>;ABUT_MPIEXEC=${MPIEXEC_EXECUTABLE};ABUT_MPIEXEC_FLAGS=${flags}"
+      "ABUT_TEST_RANKS=${ranks};PYTHONPATH=${PROJECT_SOURCE_DIR}/tests/support")
+  endforeach()
 endfunction()

@@ -15,7 +15,7 @@ enum class LineSearch { automatic, none };
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
-  long long direct_limit = 75000;
+  long long direct_limit = 150000;
   Preconditioner preconditioner = Preconditioner::automatic;
   double tolerance = 1e-8; ///< of a Krylov solve, relative residual [1]
   int max_iterations = 500;
