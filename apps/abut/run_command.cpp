@@ -32,6 +32,17 @@ std::string output_stem(const deck::Deck& deck, const std::string& dir) {
   return (std::filesystem::path(dir) / name).string();
 }
 
+/// The results must not land on the mesh they are computed on.
+void protect_mesh(const Model& m, const std::string& stem) {
+  namespace fs = std::filesystem;
+  m.comm.on_root([&] {
+    std::error_code error;
+    if (m.deck.mesh.file.empty() || !fs::equivalent(m.deck.mesh_path(), stem + ".exo", error)) return;
+    throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
+                     m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
+  });
+}
+
 void create_folder(const Comm& comm, const std::string& dir) {
   comm.on_root([&] {
     std::error_code error;
@@ -54,6 +65,8 @@ int run(const RunOptions& options) {
   create_folder(comm, options.output_dir);
   const auto model = build_model(comm, options.deck);
   Model& m = *model;
+  const std::string stem = output_stem(m.deck, options.output_dir);
+  protect_mesh(m, stem);
   Progress progress(comm.is_root(), options.quiet, comm.size() > 1, m.deck.time.end);
 
   const auto map = m.equations->dofs().map();
@@ -68,8 +81,7 @@ int run(const RunOptions& options) {
                             comm.size(), comm.size() > 1 ? "s" : ""));
 
   State state = make_state(m, x, 0.0, {});
-  io::ResultWriter writer(output_stem(m.deck, options.output_dir), *m.mesh, result_names(m),
-                          m.deck.output.files);
+  io::ResultWriter writer(stem, *m.mesh, result_names(m), m.deck.output.files);
   const auto write = [&] {
     const PhaseTimers::Scope scope(m.timers, Phase::output);
     writer.write_step(result_step(m, state));

@@ -10,6 +10,10 @@
 
 namespace abut::assembly {
 
+namespace {
+constexpr double round_off = 1e-14; ///< some 50 units in the last place of the unknowns
+} // namespace
+
 struct EquationSystem::Part {
   std::shared_ptr<Contribution> contribution;
   CellPositions positions;
@@ -143,8 +147,16 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
       raw_residual_[i] += buffer[i];
     }
   }
-  comm.sum(norms, 2);
-  reference_force_ = std::sqrt(std::max(norms[0], norms[1]));
+  double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
+  const auto unknowns = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+    const double force = diagonal_[i] * unknowns(i, 0);
+    stiff += force * force;
+  }
+  double all[3] = {norms[0], norms[1], stiff};
+  comm.sum(all, 3);
+  reference_force_ = std::sqrt(std::max(all[0], all[1]));
+  round_off_force_ = round_off * std::sqrt(all[2]);
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t i = 0; i < owned; ++i) view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
 }
@@ -194,6 +206,11 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
   }
   copy_constrained(*matrix_);
   matrix_->fillComplete(dofs_.map(), dofs_.map());
+  const auto local = matrix_->getLocalMatrixHost();
+  diagonal_.assign(constrained_.size(), 0.0);
+  for (Local i = 0; i < local.numRows(); ++i)
+    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k)
+      if (local.graph.entries(k) == i) diagonal_[std::size_t(i)] = raw_values_[k];
   return matrix_;
 }
 

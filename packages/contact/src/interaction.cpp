@@ -19,6 +19,8 @@ constexpr double pattern_pad = 0.5;  ///< pairs this close, in face sizes, get r
 constexpr int summary_levels = 6;    ///< up to 2^6 boxes tell other ranks where this one's faces are
 constexpr double touching = 1e-8;    ///< gap that counts as none in the tangent, in face sizes
 constexpr double round_off = 1e-9;   ///< beside a face by no more than this is on it
+constexpr double hold_margin = 0.1;  ///< a point that swings between two faces stays on one up to here
+constexpr int swings = 2;            ///< returns to the face just left that count as swinging
 constexpr double outward_share = -1e-2; ///< cosine between normals below which faces oppose
 
 double smallest_positive(const std::vector<double>& values) {
@@ -39,6 +41,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
       throw InputError(where + "surface '" + s->name + "' has no faces");
+  move_origin();
   softest_modulus_ = comm_.min(
       std::min(smallest_positive(primary_.modulus), smallest_positive(secondary_.modulus)));
   if (softest_modulus_ == std::numeric_limits<double>::max()) {
@@ -75,6 +78,18 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
     first_point_.push_back(first_point_.back() + r.size());
   }
   points_.resize(weight_.size());
+}
+
+/// Far from the mesh's own origin a gap would drown in the rounding of the current positions.
+void Interaction::move_origin() {
+  for (int i = 0; i < 3; ++i) {
+    double low = std::numeric_limits<double>::max();
+    for (const mesh::Surface* s : {&primary_, &secondary_})
+      for (std::size_t n = 0; n < s->node.size(); ++n) low = std::min(low, s->x[3 * n + std::size_t(i)]);
+    origin_[i] = comm_.min(low);
+    for (mesh::Surface* s : {&primary_, &secondary_})
+      for (std::size_t n = 0; n < s->node.size(); ++n) s->x[3 * n + std::size_t(i)] -= origin_[i];
+  }
 }
 
 const fem::Rule<2>& Interaction::rule(Local face) const { return rules_.at(primary_.type[face]); }
@@ -131,7 +146,7 @@ void Interaction::collect_if_moved() {
   search::Bvh<3> tree;
   tree.build(boxes);
   facing_.collect(x_secondary_, tree.summary(summary_levels));
-  for (PointState& p : points_) p.facing = -1; // face numbers are new
+  for (PointState& p : points_) p.facing = p.left = -1; // face numbers are new
 }
 
 Interaction::Frame Interaction::frame(Local face, int point) const {
@@ -176,11 +191,13 @@ struct Partner {
 
 /// Finds the nearest facing face on which the point projects. A projection within the margin beside
 /// a face (the point lies above a concave edge, or just off the rim) counts only when no face with a
-/// projection inside is about as near.
+/// projection inside is about as near. Normals jump from face to face, so that a balance right at an
+/// edge would be missed from both sides: a point that swings between two faces stays on one.
 void Interaction::project(Local face, int p) {
   PointState& state = points_[point_index(face, p)];
   const Frame at = frame(face, p);
   const Local last = state.facing;
+  const bool swinging = last >= 0 && state.returns >= swings;
   const double own_reach = options_.reach * size_[face];
   double limit = std::max(own_reach, options_.reach * facing_.largest_size());
   Partner inner, beside;
@@ -198,26 +215,33 @@ void Interaction::project(Local face, int p) {
       return fem::dispatch_face(
           type, [&](auto s) { return decltype(s)::inside(found.xi, margin * unit); });
     };
-    if (!within(options_.projection_margin)) return;
+    const bool hold = swinging && candidate == last;
+    if (!within(hold ? hold_margin : options_.projection_margin)) return;
     const auto q = facet_gap<double>(type, y, at.x, found.xi);
     const double distance = std::fabs(q.gap);
     if (dot(q.normal, at.normal) > outward_share) return;
     if (distance > std::max(own_reach, options_.reach * facing_.size(candidate))) return;
-    const bool is_inner = within(round_off);
+    const bool is_inner = hold || within(round_off);
     Partner& partner = is_inner ? inner : beside;
     if (partner.beaten_by(distance, candidate))
       partner = {candidate, distance, q.gap, {found.xi[0], found.xi[1]}};
     if (is_inner) limit = std::min(limit, distance);
   };
   if (last >= 0) visit(last); // most likely still the nearest: it bounds the search
-  facing_.tree().traverse(
-      [&](const Box<3>& box) { return box.distance2(at.x.v) <= limit * limit; },
-      [&](Local candidate) {
-        if (candidate != last) visit(candidate);
-      });
+  const bool is_held = swinging && inner.face == last;
+  if (!is_held)
+    facing_.tree().traverse(
+        [&](const Box<3>& box) { return box.distance2(at.x.v) <= limit * limit; },
+        [&](Local candidate) {
+          if (candidate != last) visit(candidate);
+        });
   const bool prefer_inner =
       inner.face >= 0 && (beside.face < 0 || inner.distance <= 2.0 * beside.distance);
   const Partner& best = prefer_inner ? inner : beside;
+  if (last >= 0 && best.face >= 0 && best.face != last) {
+    if (best.face == state.left) ++state.returns;
+    state.left = last;
+  }
   state.facing = best.face;
   if (best.face < 0) {
     state.gap = own_reach;
@@ -346,12 +370,20 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
 }
 
 void Interaction::accept() {
-  for (PointState& p : points_) p.converged_multiplier = p.multiplier;
+  for (PointState& p : points_) {
+    p.converged_multiplier = p.multiplier;
+    p.returns = 0;
+    p.left = -1;
+  }
   last_gaps_.clear();
 }
 
 void Interaction::reject() {
-  for (PointState& p : points_) p.multiplier = p.converged_multiplier;
+  for (PointState& p : points_) {
+    p.multiplier = p.converged_multiplier;
+    p.returns = 0;
+    p.facing = p.left = -1; // the retry must not see where the failure led
+  }
   last_gaps_.clear();
 }
 

@@ -176,7 +176,7 @@ std::vector<ClosedPoint> Interaction::closed_points() const {
       const Vec3 x = frame(pair.face, p).x;
       const auto q = facet_gap<double>(facing_.type(pair.facing), y, x,
                                        points_[point_index(pair.face, p)].xi);
-      result.push_back({primary_.nodes[primary_.offset[pair.face]], nodes[0], x, q.normal});
+      result.push_back({primary_.nodes[primary_.offset[pair.face]], nodes[0], origin_ + x, q.normal});
     }
   }
   return result;

@@ -19,7 +19,7 @@ namespace {
 
 std::vector<Box<3>> random_boxes(int n, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(0.0, 1.0), size(0.0, 0.05);
+  std::uniform_real_distribution<double> place(0.0, 1.0), size(0.0, 0.06);
   std::vector<Box<3>> boxes(static_cast<std::size_t>(n));
   for (auto& b : boxes)
     for (int i = 0; i < 3; ++i) {

@@ -51,6 +51,9 @@ class EquationSystem {
 
   /// Norm of the forces in balance in the last residual (internal forces or what opposes them).
   double reference_force() const { return reference_force_; }
+  /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the last
+  /// tangent: a body that moves without strain has no other forces. [force]
+  double round_off_force() const { return round_off_force_; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
@@ -87,7 +90,8 @@ class EquationSystem {
   std::vector<double> u_;            ///< (N, fields) of the last prepare
   std::vector<double> raw_values_;   ///< owned and shared values, constraints not applied
   std::vector<double> raw_residual_; ///< owned rows
-  double reference_force_ = 0.0;
+  std::vector<double> diagonal_;     ///< owned rows of the last tangent, constraints not applied
+  double reference_force_ = 0.0, round_off_force_ = 0.0;
   RCP<Matrix> matrix_;
 };
 

@@ -53,6 +53,8 @@ struct PointState {
   double multiplier = 0.0;           ///< trial; per reference area [pressure]
   double converged_multiplier = 0.0; ///< at the last converged step
   Local facing = -1;                 ///< secondary face in FacingSurface, -1: no partner in reach
+  Local left = -1;                   ///< secondary face that was the partner before
+  int returns = 0;                   ///< times the point went back to it in this step
   double xi[2] = {0.0, 0.0};         ///< projection on it
   double gap = 0.0;                  ///< > 0 open [length]
   double penalty = 0.0;              ///< [pressure/length]
@@ -110,6 +112,7 @@ class Interaction : public Contribution {
   struct Frame { ///< one point in the current configuration
     Vec3 x, normal;
   };
+  void move_origin();
   Frame frame(Local face, int point) const;
   void current_coordinates(const NodalFields& fields);
   void collect_if_moved();
@@ -125,7 +128,8 @@ class Interaction : public Contribution {
   double current_area_ratio(Local face, int point) const;
 
   Comm comm_;
-  mesh::Surface primary_, secondary_;
+  mesh::Surface primary_, secondary_; ///< coordinates relative to origin_
+  Vec3 origin_ = Vec3::zero();
   ContactOptions options_;
   PhaseTimers& timers_;
   FacingSurface facing_;

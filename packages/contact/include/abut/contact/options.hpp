@@ -24,7 +24,7 @@ struct ContactOptions {
   double projection_margin = 0.01;  ///< how far outside a face a projection still counts [1]
 
   // Augmented Lagrangian: stop when both tolerances hold, at the plateau, or at the maximum.
-  double multiplier_tolerance = 1e-4; ///< relative change of the multipliers [1]
+  double multiplier_tolerance = 1e-2; ///< relative change of the multipliers [1]
   double gap_tolerance = 0.0;         ///< largest penetration in face sizes; 0: not asked [1]
   int min_augmentations = 0;
   int max_augmentations = 20;

@@ -20,6 +20,7 @@ class AssembledSystem : public NonlinearSystem {
   long graph_version() const override { return equations_.graph_version(); }
   bool symmetric() const override { return equations_.symmetric(); }
   double reference_force() const override { return equations_.reference_force(); }
+  double round_off_force() const override { return equations_.round_off_force(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   const double* node_coordinates() const override { return coordinates_.data(); }
   void set_time(double t) override { equations_.set_time(t); }

@@ -28,6 +28,8 @@ public:
   /// Size of the forces that balance in the last residual, reactions and external forces included:
   /// what a residual norm is compared with. [force]
   virtual double reference_force() const = 0;
+  /// A residual norm no larger than this is rounding and counts as zero. [force]
+  virtual double round_off_force() const { return 0.0; }
 
   /// For multigrid: unknowns come in rows of this many per node.
   virtual int unknowns_per_node() const { return 1; }
