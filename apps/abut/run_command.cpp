@@ -116,8 +116,11 @@ int run(const RunOptions& options) {
   state.counters = result.counters;
   if (state.time > written) write();
 
-  const auto verdicts = verify(m, state);
-  print_verdicts(progress, verdicts);
+  auto verdicts = verify(m, state);
+  if (result.converged)
+    print_verdicts(progress, verdicts);
+  else // they speak of the end of the run
+    for (Verdict& v : verdicts) v.ok = false;
   RunFacts facts;
   facts.converged = result.converged;
   facts.wall_seconds =

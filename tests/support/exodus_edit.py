@@ -44,17 +44,22 @@ def read(path):
     with netCDF4.Dataset(path) as data:
         data.set_auto_mask(False)
         x = np.stack([data["coord" + axis][:] for axis in "xyz"], axis=1)
+
+        def indices(variable, shape=(0,)):
+            """Zero-based; a file of one rank leaves out what it has nothing of."""
+            found = variable in data.variables
+            return data[variable][:].astype(np.int64) - 1 if found else np.zeros(shape, np.int64)
+
         blocks = []
         for i, name in enumerate(names(data, "eb_names"), 1):
-            connect = data[f"connect{i}"]
-            blocks.append(Block(name, int(data["eb_prop1"][i - 1]), connect.elem_type,
-                                connect[:].astype(np.int64) - 1))
+            kind = getattr(data.variables.get(f"connect{i}"), "elem_type", "")
+            blocks.append(Block(name, int(data["eb_prop1"][i - 1]), kind,
+                                indices(f"connect{i}", (0, 0))))
         mesh = ExodusMesh(x, blocks)
         for i, name in enumerate(names(data, "ns_names"), 1):
-            mesh.node_sets[name] = data[f"node_ns{i}"][:].astype(np.int64) - 1
+            mesh.node_sets[name] = indices(f"node_ns{i}")
         for i, name in enumerate(names(data, "ss_names"), 1):
-            mesh.side_sets[name] = (data[f"elem_ss{i}"][:].astype(np.int64) - 1,
-                                    data[f"side_ss{i}"][:].astype(np.int64) - 1)
+            mesh.side_sets[name] = (indices(f"elem_ss{i}"), indices(f"side_ss{i}"))
         for kind in ("node", "elem"):
             if f"{kind}_num_map" in data.variables:
                 ids = data[f"{kind}_num_map"][:].astype(np.int64)

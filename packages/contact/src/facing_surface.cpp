@@ -44,63 +44,85 @@ struct FaceRecord {
   double size, modulus, inverse_depth;
 };
 
-} // namespace
-
-void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<Box<3>>& wanted) {
-  const auto ranks = static_cast<std::size_t>(comm_.size());
+/// Every rank's boxes, one list for each rank.
+std::vector<std::vector<Box<3>>> share_boxes(const Comm& comm, const std::vector<Box<3>>& mine) {
   std::vector<double> packed;
-  for (const Box<3>& b : wanted) {
+  for (const Box<3>& b : mine) {
     packed.insert(packed.end(), b.low, b.low + 3);
     packed.insert(packed.end(), b.high, b.high + 3);
   }
-  const auto counts = comm_.all_gather(static_cast<Global>(wanted.size()));
-  packed = comm_.all_gather(packed);
+  const auto counts = comm.all_gather(static_cast<Global>(mine.size()));
+  packed = comm.all_gather(packed);
+  std::vector<std::vector<Box<3>>> boxes(counts.size());
+  const double* p = packed.data();
+  for (std::size_t r = 0; r < counts.size(); ++r)
+    for (Global k = 0; k < counts[r]; ++k, p += 6) {
+      Box<3> b;
+      std::copy_n(p, 3, b.low);
+      std::copy_n(p + 3, 3, b.high);
+      boxes[r].push_back(b);
+    }
+  return boxes;
+}
 
+} // namespace
+
+/// Faces on their way, per rank: records, their node ids, and each node's id once.
+struct FacingSurface::Parcels {
+  explicit Parcels(std::size_t ranks) : faces(ranks), face_nodes(ranks), nodes(ranks) {}
+  std::vector<std::vector<FaceRecord>> faces;
+  std::vector<std::vector<Global>> face_nodes, nodes;
+};
+
+void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<Box<3>>& wanted) {
+  const auto ranks = static_cast<std::size_t>(comm_.size());
+  const auto wanted_by = share_boxes(comm_, wanted);
   const std::vector<double> sizes = face_sizes(own_);
-  std::vector<std::vector<FaceRecord>> faces(ranks);
-  std::vector<std::vector<Global>> face_nodes(ranks), nodes(ranks);
+  std::vector<Box<3>> boxes;
+  for (Local f = 0; f < own_.num_faces(); ++f) {
+    Box<3> box = Box<3>::empty();
+    for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a)
+      box.add(&x_own[std::size_t(own_.nodes[a]) * 3]);
+    box.inflate(reach_ * sizes[f]);
+    boxes.push_back(box);
+  }
+  Parcels out(ranks), in(0);
   send_nodes_.assign(ranks, {});
-  std::size_t first = 0;
   for (std::size_t r = 0; r < ranks; ++r) {
     std::vector<char> taken(own_.node.size(), 0);
-    for (Local f = 0; f < own_.num_faces(); ++f) {
-      Box<3> box = Box<3>::empty();
-      for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a)
-        box.add(&x_own[std::size_t(own_.nodes[a]) * 3]);
-      box.inflate(reach_ * sizes[f]);
-      bool near = false;
-      for (std::size_t k = first; k < first + std::size_t(counts[r]) && !near; ++k) {
-        Box<3> other;
-        for (int i = 0; i < 3; ++i) {
-          other.low[i] = packed[6 * k + std::size_t(i)];
-          other.high[i] = packed[6 * k + 3 + std::size_t(i)];
-        }
-        near = box.overlaps(other);
-      }
-      if (!near) continue;
-      const Local n = own_.offset[f + 1] - own_.offset[f];
-      faces[r].push_back({own_.face_id[f], static_cast<int>(own_.type[f]), n, sizes[f],
-                          own_.modulus[f], own_.inverse_depth[f]});
-      for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a) {
-        const Local node = own_.nodes[a];
-        face_nodes[r].push_back(own_.node[node]);
-        if (taken[node]) continue;
-        taken[node] = 1;
-        send_nodes_[r].push_back(node);
-        nodes[r].push_back(own_.node[node]);
-      }
-    }
-    first += std::size_t(counts[r]);
+    for (Local f = 0; f < own_.num_faces(); ++f)
+      if (std::any_of(wanted_by[r].begin(), wanted_by[r].end(),
+                      [&](const Box<3>& b) { return b.overlaps(boxes[f]); }))
+        pack(f, sizes[f], r, taken, out);
   }
-  const auto in_faces = comm_.exchange(faces);
-  const auto in_face_nodes = comm_.exchange(face_nodes);
-  const auto in_nodes = comm_.exchange(nodes);
+  in.faces = comm_.exchange(out.faces);
+  in.face_nodes = comm_.exchange(out.face_nodes);
+  in.nodes = comm_.exchange(out.nodes);
+  unpack(in);
+  update(x_own);
+}
 
+void FacingSurface::pack(Local f, double size, std::size_t rank, std::vector<char>& taken,
+                         Parcels& out) {
+  const Local n = own_.offset[f + 1] - own_.offset[f];
+  out.faces[rank].push_back({own_.face_id[f], static_cast<int>(own_.type[f]), n, size,
+                             own_.modulus[f], own_.inverse_depth[f]});
+  for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a) {
+    const Local node = own_.nodes[a];
+    out.face_nodes[rank].push_back(own_.node[node]);
+    if (taken[node]) continue;
+    taken[node] = 1;
+    send_nodes_[rank].push_back(node);
+    out.nodes[rank].push_back(own_.node[node]);
+  }
+}
+
+void FacingSurface::unpack(const Parcels& in) {
   node_.clear();
-  receive_nodes_.assign(ranks, {});
+  receive_nodes_.assign(in.nodes.size(), {});
   std::unordered_map<Global, Local> index;
-  for (std::size_t r = 0; r < ranks; ++r)
-    for (Global g : in_nodes[r]) {
+  for (std::size_t r = 0; r < in.nodes.size(); ++r)
+    for (Global g : in.nodes[r]) {
       const auto [it, is_new] = index.try_emplace(g, static_cast<Local>(node_.size()));
       if (is_new) node_.push_back(g);
       receive_nodes_[r].push_back(it->second);
@@ -110,9 +132,9 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
     const Global* nodes;
   };
   std::vector<Arrived> all;
-  for (std::size_t r = 0; r < ranks; ++r) {
-    const Global* p = in_face_nodes[r].data();
-    for (const FaceRecord& f : in_faces[r]) {
+  for (std::size_t r = 0; r < in.faces.size(); ++r) {
+    const Global* p = in.face_nodes[r].data();
+    for (const FaceRecord& f : in.faces[r]) {
       all.push_back({f, p});
       p += f.nodes;
     }
@@ -134,7 +156,6 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
   largest_size_ = size_.empty() ? 0.0 : *std::max_element(size_.begin(), size_.end());
   x_.assign(node_.size() * 3, 0.0);
   tree_ = {};
-  update(x_own);
 }
 
 void FacingSurface::update(const std::vector<double>& x_own) {

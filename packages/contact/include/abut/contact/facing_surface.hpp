@@ -37,6 +37,9 @@ class FacingSurface {
   const search::Bvh<3>& tree() const { return tree_; }
 
  private:
+  struct Parcels;
+  void pack(Local face, double size, std::size_t rank, std::vector<char>& taken, Parcels& out);
+  void unpack(const Parcels& in);
   search::Box<3> box(Local face) const;
 
   Comm comm_;
