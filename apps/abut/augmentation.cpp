@@ -39,20 +39,24 @@ void judge(const contact::Interaction& c, int number, solver::AugmentReport& rep
 solver::AugmentCallback
 make_augmentation(Model& m, std::function<void(int, const solver::AugmentReport&)> observer) {
   const auto interfaces = augmented_interfaces(m);
-  if (interfaces.empty()) return {};
+  if (interfaces.empty())
+    return {};
   return [&m, interfaces, observer](int number) {
     solver::AugmentReport report;
-    for (const contact::Interaction* c : interfaces) judge(*c, number, report);
+    for (const contact::Interaction* c : interfaces)
+      judge(*c, number, report);
     report.stalled = report.stalled && report.converged; // others may still have work to do
     if (report.stalled) {
       report.converged = false;
     } else if (!report.converged) {
-      for (contact::Interaction* c : interfaces) c->augment();
+      for (contact::Interaction* c : interfaces)
+        c->augment();
       m.equations->state_changed();
     } else if (report.reason.empty()) {
       report.reason = "multipliers and gap within tolerance";
     }
-    if (observer) observer(number, report);
+    if (observer)
+      observer(number, report);
     return report;
   };
 }

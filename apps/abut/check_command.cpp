@@ -16,14 +16,16 @@ namespace abut::app {
 namespace {
 
 class Printer {
- public:
+public:
   explicit Printer(bool active) : active_(active) {}
-  template <class... Args> void operator()(fmt::format_string<Args...> format, Args&&... args) const {
+  template <class... Args>
+  void operator()(fmt::format_string<Args...> format, Args&&... args) const {
     const std::string text = fmt::format(format, std::forward<Args>(args)...);
-    if (active_) std::cout << text << '\n';
+    if (active_)
+      std::cout << text << '\n';
   }
 
- private:
+private:
   bool active_;
 };
 
@@ -34,13 +36,15 @@ void explain_bodies(const Model& m, const Printer& print) {
     Global elements = 0;
     std::map<std::string, Global> types;
     for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
-      if (m.body_of_block[b] != static_cast<int>(i)) continue;
+      if (m.body_of_block[b] != static_cast<int>(i))
+        continue;
       const Global count = m.comm.sum(Global(m.mesh->blocks[b].size()));
       elements += count;
       types[fem::info(m.mesh->blocks[b].type).name] += count;
     }
     std::string kinds;
-    for (const auto& [name, count] : types) kinds += fmt::format(" {} {}", count, name);
+    for (const auto& [name, count] : types)
+      kinds += fmt::format(" {} {}", count, name);
     print("  {}: {} elements ({} ), {}", body.name, elements, kinds,
           body.rigid ? "rigid obstacle with prescribed motion" : "material " + body.material);
   }
@@ -54,14 +58,17 @@ void explain_supports(const Model& m, const Printer& print) {
   print("supports:");
   for (const auto& d : m.deck.displacements) {
     Global nodes = 0;
-    for (Local n : nodes_of_set(*m.mesh, d.set)) nodes += n < m.mesh->num_owned;
+    for (Local n : nodes_of_set(*m.mesh, d.set))
+      nodes += n < m.mesh->num_owned;
     std::string parts;
     for (std::size_t i = 0; i < 3; ++i)
-      if (d.components[i]) parts += fmt::format(" {} = {:g}", "xyz"[i], d.values[i]);
+      if (d.components[i])
+        parts += fmt::format(" {} = {:g}", "xyz"[i], d.values[i]);
     print("  {}: {} nodes of '{}',{}", d.name, m.comm.sum(nodes), d.set, parts);
   }
   const auto free = free_pieces(m);
-  if (free.empty()) print("  every body is held");
+  if (free.empty())
+    print("  every body is held");
   for (const FreePiece& piece : free)
     for (const std::string& motion : piece.motions)
       print("  FREE: body '{}' can move: {}", piece.body, motion);
@@ -70,7 +77,8 @@ void explain_supports(const Model& m, const Printer& print) {
 /// Faces of a side set that stand in it twice, over all ranks.
 Global duplicate_faces(const Model& m, const mesh::Surface& s) {
   Global count = 0;
-  for (std::size_t f = 1; f < s.face_id.size(); ++f) count += s.face_id[f] == s.face_id[f - 1];
+  for (std::size_t f = 1; f < s.face_id.size(); ++f)
+    count += s.face_id[f] == s.face_id[f - 1];
   return m.comm.sum(count);
 }
 

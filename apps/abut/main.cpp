@@ -33,17 +33,20 @@ int run(int argc, char** argv, const abut::Comm& comm) {
     const int code = comm.is_root() ? app.exit(e) : e.get_exit_code();
     return code == 0 ? converged : input;
   } catch (const abut::InputError& e) {
-    if (comm.is_root()) std::cerr << "abut: " << e.what() << '\n';
+    if (comm.is_root())
+      std::cerr << "abut: " << e.what() << '\n';
     return input;
   } catch (const abut::SolveError& e) {
-    if (comm.is_root()) std::cerr << "abut: " << e.what() << '\n';
+    if (comm.is_root())
+      std::cerr << "abut: " << e.what() << '\n';
     return stopped;
   } catch (const abut::Defect& e) {
     std::cerr << "abut: this is a defect of abut, please report it: " << e.what() << '\n';
   } catch (const std::exception& e) {
     std::cerr << "abut: this is a defect of abut, please report it: " << e.what() << '\n';
   }
-  if (comm.size() > 1) MPI_Abort(comm.mpi(), defect); // others may wait for this rank
+  if (comm.size() > 1)
+    MPI_Abort(comm.mpi(), defect); // others may wait for this rank
   return defect;
 }
 

@@ -26,7 +26,8 @@ mesh::MeshData load_mesh(const deck::Deck& deck) {
     }
   }
   std::map<std::string, std::string> options;
-  for (const auto& p : deck.mesh.parameters) options[p.key] = p.text;
+  for (const auto& p : deck.mesh.parameters)
+    options[p.key] = p.text;
   try {
     return mesh::generate(deck.mesh.kind, options);
   } catch (const InputError& e) {
@@ -36,14 +37,16 @@ mesh::MeshData load_mesh(const deck::Deck& deck) {
 
 template <class Map> std::vector<std::string> names(const Map& map) {
   std::vector<std::string> result;
-  for (const auto& entry : map) result.push_back(entry.first);
+  for (const auto& entry : map)
+    result.push_back(entry.first);
   return result;
 }
 
 /// Throws unless `name` is one of `valid`.
 void require_name(const deck::Deck& deck, const std::string& path, const std::string& what,
                   const std::string& name, const std::vector<std::string>& valid) {
-  if (std::find(valid.begin(), valid.end(), name) != valid.end()) return;
+  if (std::find(valid.begin(), valid.end(), name) != valid.end())
+    return;
   throw InputError(deck.where(path) + ": the mesh has no " + what + " '" + name + "'; " +
                    nearest_word_hint(name, valid.data(), valid.size()));
 }
@@ -51,7 +54,8 @@ void require_name(const deck::Deck& deck, const std::string& path, const std::st
 void check_names(const Model& m) {
   const deck::Deck& deck = m.deck;
   std::vector<std::string> blocks;
-  for (const mesh::Block& b : m.mesh->blocks) blocks.push_back(b.name);
+  for (const mesh::Block& b : m.mesh->blocks)
+    blocks.push_back(b.name);
   const auto node_sets = names(m.mesh->node_sets), side_sets = names(m.mesh->side_sets);
   std::vector<std::string> sets = node_sets;
   sets.insert(sets.end(), side_sets.begin(), side_sets.end());
@@ -88,7 +92,8 @@ void assign_bodies(Model& m) {
     const solid::BodyOptions& body = deck.bodies[i];
     for (const std::string& name : body.blocks)
       for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
-        if (m.mesh->blocks[b].name != name) continue;
+        if (m.mesh->blocks[b].name != name)
+          continue;
         if (m.body_of_block[b] >= 0)
           throw InputError(deck.where("bodies." + body.name + ".blocks") + ": block '" + name +
                            "' already belongs to body '" +
@@ -111,11 +116,14 @@ std::vector<assembly::Constraint> make_constraints(const Model& m) {
   for (const auto& d : m.deck.displacements) {
     const deck::Curve curve = m.deck.curve(d.curve);
     for (Local n : nodes_of_set(*m.mesh, d.set)) {
-      if (n >= m.mesh->num_owned) continue;
+      if (n >= m.mesh->num_owned)
+        continue;
       for (int i = 0; i < 3; ++i) {
-        if (!d.components[std::size_t(i)]) continue;
+        if (!d.components[std::size_t(i)])
+          continue;
         const double value = d.values[std::size_t(i)];
-        if (!given.try_emplace({n, i}, d.name).second) continue; // the first one named holds
+        if (!given.try_emplace({n, i}, d.name).second)
+          continue; // the first one named holds
         result.push_back({n, i, [curve, value](double t) { return value * curve(t); }});
       }
     }
@@ -129,11 +137,13 @@ void check_conflicts(const Model& m) {
   for (const auto& d : m.deck.displacements)
     for (Local n : nodes_of_set(*m.mesh, d.set))
       for (int i = 0; i < 3; ++i) {
-        if (!d.components[std::size_t(i)]) continue;
+        if (!d.components[std::size_t(i)])
+          continue;
         const auto [it, is_new] = given.try_emplace({n, i}, &d);
         const auto& other = *it->second;
         const double a = d.values[std::size_t(i)], b = other.values[std::size_t(i)];
-        if (is_new || (a == b && (a == 0.0 || d.curve == other.curve))) continue;
+        if (is_new || (a == b && (a == 0.0 || d.curve == other.curve)))
+          continue;
         throw InputError(m.deck.where("displacements." + d.name) + ": node " +
                          std::to_string(m.mesh->node_id[n]) + " has its " + "xyz"[i] +
                          " displacement prescribed differently by '" + other.name + "'");
@@ -142,10 +152,12 @@ void check_conflicts(const Model& m) {
 
 void add_contact(Model& m, const contact::ContactOptions& options) {
   solid::BlockMaterials materials;
-  for (const auto& material : m.material) materials.push_back(material ? &*material : nullptr);
+  for (const auto& material : m.material)
+    materials.push_back(material ? &*material : nullptr);
   const auto surface = [&](const std::string& name) {
     mesh::Surface s = mesh::extract_surface(*m.mesh, name);
-    const auto stiffness = solid::face_stiffness(*m.mesh, mesh::sorted_sides(*m.mesh, name), materials);
+    const auto stiffness =
+        solid::face_stiffness(*m.mesh, mesh::sorted_sides(*m.mesh, name), materials);
     s.modulus = stiffness.modulus;
     s.inverse_depth = stiffness.inverse_depth;
     return s;
@@ -164,15 +176,17 @@ void add_equations(Model& m) {
                        m.without_unknowns),
       m.timers);
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
-    if (!m.material[b]) continue;
-    m.solids.push_back(std::make_shared<solid::SolidContribution>(*m.mesh, static_cast<int>(b),
-                                                                  *m.material[b]));
+    if (!m.material[b])
+      continue;
+    m.solids.push_back(
+        std::make_shared<solid::SolidContribution>(*m.mesh, static_cast<int>(b), *m.material[b]));
     m.equations->add(m.solids.back());
   }
   for (const auto& load : m.deck.loads)
     m.equations->add(
         std::make_shared<solid::LoadContribution>(*m.mesh, load, m.deck.curve(load.curve)));
-  for (const auto& contact : m.contacts) m.equations->add(contact);
+  for (const auto& contact : m.contacts)
+    m.equations->add(contact);
   m.equations->set_constraints(m.constraints);
   m.equations->set_motion(rigid_motion(m));
 }
@@ -181,14 +195,15 @@ void add_equations(Model& m) {
 
 std::vector<Local> nodes_of_set(const mesh::Mesh& mesh, const std::string& name) {
   const auto set = mesh.node_sets.find(name);
-  if (set != mesh.node_sets.end()) return set->second;
+  if (set != mesh.node_sets.end())
+    return set->second;
   std::set<Local> nodes;
   for (const mesh::Side& s : mesh.side_sets.at(name)) {
     const mesh::Block& block = mesh.blocks[std::size_t(s.block)];
     const fem::CellSide& face = fem::side(block.type, s.side);
     for (int a = 0; a < fem::face_nodes(face.type); ++a)
-      nodes.insert(
-          block.nodes[std::size_t(s.element) * fem::info(block.type).nodes + std::size_t(face.nodes[a])]);
+      nodes.insert(block.nodes[std::size_t(s.element) * fem::info(block.type).nodes +
+                               std::size_t(face.nodes[a])]);
   }
   return {nodes.begin(), nodes.end()};
 }
@@ -211,7 +226,8 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
   }
   m->without_unknowns = rigid_nodes(*m);
   m->constraints = make_constraints(*m);
-  for (const auto& options : m->deck.contact) add_contact(*m, options);
+  for (const auto& options : m->deck.contact)
+    add_contact(*m, options);
   add_equations(*m);
   return m;
 }

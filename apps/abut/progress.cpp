@@ -8,18 +8,21 @@
 namespace abut::app {
 
 Progress::Progress(bool is_root, bool quiet, bool launched, double end)
-    : active_(is_root && !quiet), terminal_(active_ && !launched && isatty(STDOUT_FILENO)), end_(end),
-      start_(std::chrono::steady_clock::now()) {}
+    : active_(is_root && !quiet), terminal_(active_ && !launched && isatty(STDOUT_FILENO)),
+      end_(end), start_(std::chrono::steady_clock::now()) {}
 
 void Progress::line(const std::string& text) {
-  if (!active_) return;
-  if (terminal_ && live_width_ > 0) std::cout << '\r' << std::string(live_width_, ' ') << '\r';
+  if (!active_)
+    return;
+  if (terminal_ && live_width_ > 0)
+    std::cout << '\r' << std::string(live_width_, ' ') << '\r';
   live_width_ = 0;
   std::cout << text << std::endl;
 }
 
 void Progress::live(const std::string& text) {
-  if (!terminal_) return;
+  if (!terminal_)
+    return;
   const std::size_t pad = live_width_ > text.size() ? live_width_ - text.size() : 0;
   std::cout << '\r' << text << std::string(pad, ' ') << std::flush;
   live_width_ = text.size();
@@ -44,29 +47,35 @@ void Progress::augmentation(int number, const solver::AugmentReport& r) {
 }
 
 std::string Progress::remaining(double t) const {
-  if (t <= 0.0 || t >= end_) return "";
+  if (t <= 0.0 || t >= end_)
+    return "";
   const double elapsed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const double left = elapsed * (end_ - t) / t;
-  if (left < 60.0) return fmt::format("  about {:.0f} s left", left);
-  if (left < 3600.0) return fmt::format("  about {:.0f} min left", left / 60.0);
+  if (left < 60.0)
+    return fmt::format("  about {:.0f} s left", left);
+  if (left < 3600.0)
+    return fmt::format("  about {:.0f} min left", left / 60.0);
   return fmt::format("  about {:.1f} h left", left / 3600.0);
 }
 
-void Progress::step(const solver::StepReport& r, long long active_points, double penetration_ratio) {
+void Progress::step(const solver::StepReport& r, long long active_points,
+                    double penetration_ratio) {
   line(fmt::format("step {}  t = {:.6g}  {} iterations  {} augmentations{}  {} points in contact  "
                    "penetration {:.2e} of a face{}",
                    r.step, r.t, r.iterations, r.augmentations,
                    r.cuts > 0 ? fmt::format("  {} cut-backs", r.cuts) : "", active_points,
                    penetration_ratio, remaining(r.t)));
-  if (!r.note.empty()) line("  " + r.note);
+  if (!r.note.empty())
+    line("  " + r.note);
   step_ = r.step + 1;
   augmentation_ = 0;
 }
 
 LogSink Progress::sink() {
   return [this](LogLevel level, const std::string& message) {
-    if (level == LogLevel::detail) return;
+    if (level == LogLevel::detail)
+      return;
     line((level == LogLevel::warning ? "warning: " : "") + message);
   };
 }

@@ -12,7 +12,7 @@ namespace abut::app {
 /// What a user sees while a run goes on: a live line on a terminal, plain lines in a file, nothing
 /// when quiet. Prints on the root only.
 class Progress {
- public:
+public:
   /// Under a launcher stdout may look like a terminal but end in a file: plain lines then.
   Progress(bool is_root, bool quiet, bool launched, double end);
 
@@ -22,7 +22,7 @@ class Progress {
   void step(const solver::StepReport& report, long long active_points, double penetration_ratio);
   LogSink sink();
 
- private:
+private:
   void live(const std::string& text); ///< replaced by the next line; terminals only
   std::string remaining(double t) const;
 

@@ -14,7 +14,8 @@ State make_state(const Model& m, const Vector& x, double time, const solver::Cou
   s.counters = counters;
   s.u = m.equations->nodal_values(x);
   s.reaction = m.equations->raw_residual();
-  for (const auto& contact : m.contacts) s.contacts.push_back(contact->summary());
+  for (const auto& contact : m.contacts)
+    s.contacts.push_back(contact->summary());
   return s;
 }
 
@@ -44,7 +45,11 @@ ContactFields contact_fields(const Model& m) {
     for (std::size_t i = 0; i < sums.weight.size(); ++i) {
       const Global node = contact->primary().node[i];
       send[static_cast<std::size_t>(mesh.owner(node))].push_back(
-          {node, sums.weight[i], sums.pressure[i], sums.gap[i], sums.status[i],
+          {node,
+           sums.weight[i],
+           sums.pressure[i],
+           sums.gap[i],
+           sums.status[i],
            {sums.traction[3 * i], sums.traction[3 * i + 1], sums.traction[3 * i + 2]}});
     }
   }
@@ -62,14 +67,17 @@ ContactFields contact_fields(const Model& m) {
       f.pressure[n] += e.pressure;
       f.gap[n] += e.gap;
       f.status[n] += e.status;
-      for (std::size_t i = 0; i < 3; ++i) f.traction[3 * n + i] += e.traction[i];
+      for (std::size_t i = 0; i < 3; ++i)
+        f.traction[3 * n + i] += e.traction[i];
     }
   for (std::size_t n = 0; n < owned; ++n) {
-    if (weight[n] <= 0.0) continue;
+    if (weight[n] <= 0.0)
+      continue;
     f.pressure[n] /= weight[n];
     f.gap[n] /= weight[n];
     f.status[n] = f.status[n] > 0.0 ? 1.0 : 0.0; // frictionless contact slips
-    for (std::size_t i = 0; i < 3; ++i) f.traction[3 * n + i] /= weight[n];
+    for (std::size_t i = 0; i < 3; ++i)
+      f.traction[3 * n + i] /= weight[n];
   }
   return f;
 }
@@ -82,12 +90,14 @@ void add_element_fields(const Model& m, const State& s, io::ResultStep& step) {
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
     const auto count = static_cast<std::size_t>(m.mesh->blocks[b].size());
     if (!m.material[b]) {
-      for (auto& values : step.element) values.insert(values.end(), count, 0.0);
+      for (auto& values : step.element)
+        values.insert(values.end(), count, 0.0);
       continue;
     }
     const auto e = solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields);
     for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 6; ++k) step.element[k].push_back(e.stress[6 * i + k]);
+      for (std::size_t k = 0; k < 6; ++k)
+        step.element[k].push_back(e.stress[6 * i + k]);
       step.element[6].push_back(e.von_mises[i]);
       step.element[7].push_back(e.energy[i]);
     }
@@ -113,7 +123,8 @@ io::ResultStep result_step(const Model& m, const State& s) {
   add_element_fields(m, s, step);
   step.global = {double(s.counters.steps), double(s.counters.newton_iterations),
                  double(s.counters.augmentations), double(s.counters.cut_backs)};
-  for (const auto& c : s.contacts) step.global.insert(step.global.end(), c.force.begin(), c.force.end());
+  for (const auto& c : s.contacts)
+    step.global.insert(step.global.end(), c.force.begin(), c.force.end());
   return step;
 }
 

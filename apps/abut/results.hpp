@@ -22,7 +22,8 @@ struct State {
 };
 
 /// Collective. The equations must have been evaluated at x.
-State make_state(const Model& model, const Vector& x, double time, const solver::Counters& counters);
+State make_state(const Model& model, const Vector& x, double time,
+                 const solver::Counters& counters);
 
 /// The fields of the outside contract (Exodus output).
 io::ResultNames result_names(const Model& model);

@@ -14,9 +14,11 @@ std::vector<double> body_of_node(const Model& m) {
   std::vector<double> body(m.mesh->node.size(), -1.0);
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
     const int i = m.body_of_block[b];
-    if (!m.deck.bodies[std::size_t(i)].rigid) continue;
+    if (!m.deck.bodies[std::size_t(i)].rigid)
+      continue;
     for (Local n : m.mesh->blocks[b].nodes)
-      if (body[n] < 0.0 || body[n] > i) body[n] = i;
+      if (body[n] < 0.0 || body[n] > i)
+        body[n] = i;
   }
   return body;
 }
@@ -37,7 +39,8 @@ std::vector<double> agreed_body_of_node(const Model& m) {
   for (const auto& list : mesh.comm.exchange(up))
     for (const Entry& e : list) {
       double& mine = body[static_cast<std::size_t>(e.node - first)];
-      if (mine < 0.0 || mine > e.body) mine = e.body;
+      if (mine < 0.0 || mine > e.body)
+        mine = e.body;
     }
   mesh::GhostExchange(mesh).update(body.data(), 1);
   return body;
@@ -47,7 +50,8 @@ std::vector<double> agreed_body_of_node(const Model& m) {
 Mat3 rotation(const Vec3& w) {
   const double angle = norm(w);
   Mat3 r = Mat3::identity();
-  if (angle == 0.0) return r;
+  if (angle == 0.0)
+    return r;
   const Vec3 k = (1.0 / angle) * w;
   const Mat3 skew = {{{0, -k[2], k[1]}, {k[2], 0, -k[0]}, {-k[1], k[0], 0}}};
   const Mat3 square = skew * skew;
@@ -61,13 +65,15 @@ Mat3 rotation(const Vec3& w) {
 
 std::vector<char> rigid_nodes(const Model& m) {
   std::vector<char> flags;
-  for (double b : agreed_body_of_node(m)) flags.push_back(b >= 0.0);
+  for (double b : agreed_body_of_node(m))
+    flags.push_back(b >= 0.0);
   return flags;
 }
 
 assembly::PrescribedMotion rigid_motion(const Model& m) {
   std::vector<deck::Curve> curves;
-  for (const auto& body : m.deck.bodies) curves.push_back(m.deck.curve(body.motion.curve));
+  for (const auto& body : m.deck.bodies)
+    curves.push_back(m.deck.curve(body.motion.curve));
   return [&m, curves, body = agreed_body_of_node(m)](double t, double* u) {
     std::vector<Mat3> turns;
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -75,11 +81,13 @@ assembly::PrescribedMotion rigid_motion(const Model& m) {
       turns.push_back(rotation(curves[i](t) * Vec3{{w[0], w[1], w[2]}}));
     }
     for (std::size_t n = 0; n < body.size(); ++n) {
-      if (body[n] < 0.0) continue;
+      if (body[n] < 0.0)
+        continue;
       const auto i = static_cast<std::size_t>(body[n]);
       const solid::RigidMotion& motion = m.deck.bodies[i].motion;
       Vec3 arm;
-      for (int k = 0; k < 3; ++k) arm[k] = m.mesh->x[3 * n + std::size_t(k)] - motion.center[std::size_t(k)];
+      for (int k = 0; k < 3; ++k)
+        arm[k] = m.mesh->x[3 * n + std::size_t(k)] - motion.center[std::size_t(k)];
       const Vec3 turned = turns[i] * arm;
       for (int k = 0; k < 3; ++k)
         u[3 * n + std::size_t(k)] =

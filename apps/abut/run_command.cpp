@@ -27,8 +27,9 @@ struct RunOptions {
 };
 
 std::string output_stem(const deck::Deck& deck, const std::string& dir) {
-  const std::string name = deck.output.name.empty() ? std::filesystem::path(deck.file).stem().string()
-                                                    : deck.output.name;
+  const std::string name = deck.output.name.empty()
+                               ? std::filesystem::path(deck.file).stem().string()
+                               : deck.output.name;
   return (std::filesystem::path(dir) / name).string();
 }
 
@@ -37,7 +38,8 @@ void protect_mesh(const Model& m, const std::string& stem) {
   namespace fs = std::filesystem;
   m.comm.on_root([&] {
     std::error_code error;
-    if (m.deck.mesh.file.empty() || !fs::equivalent(m.deck.mesh_path(), stem + ".exo", error)) return;
+    if (m.deck.mesh.file.empty() || !fs::equivalent(m.deck.mesh_path(), stem + ".exo", error))
+      return;
     throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
                      m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
   });
@@ -48,8 +50,8 @@ void create_folder(const Comm& comm, const std::string& dir) {
     std::error_code error;
     std::filesystem::create_directories(dir, error);
     if (error || !std::filesystem::is_directory(dir))
-      throw InputError("cannot write to the output folder '" + dir + "': " +
-                       (error ? error.message() : "it is not a folder"));
+      throw InputError("cannot write to the output folder '" + dir +
+                       "': " + (error ? error.message() : "it is not a folder"));
   });
 }
 
@@ -90,8 +92,9 @@ int run(const RunOptions& options) {
   double written = 0.0;
 
   solver::NewtonSolver newton(*linear, m.deck.newton, m.deck.linear.tolerance);
-  solver::AugmentedLagrangian loop(
-      newton, make_augmentation(m, [&](int n, const auto& report) { progress.augmentation(n, report); }));
+  solver::AugmentedLagrangian loop(newton, make_augmentation(m, [&](int n, const auto& report) {
+                                     progress.augmentation(n, report);
+                                   }));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
   solver::Counters counters;
   const auto on_step = [&](const solver::StepReport& report, const Vector& at) {
@@ -107,20 +110,23 @@ int run(const RunOptions& options) {
       ratio = std::max(ratio, c.max_penetration_over_face_size);
     }
     progress.step(report, active, ratio);
-    if (report.step % m.deck.output.every != 0) return;
+    if (report.step % m.deck.output.every != 0)
+      return;
     write();
     written = report.t;
   };
   const solver::LoadResult result =
       stepping.run(system, x, on_step, [&](const auto& report) { progress.iteration(report); });
   state.counters = result.counters;
-  if (state.time > written) write();
+  if (state.time > written)
+    write();
 
   auto verdicts = verify(m, state);
   if (result.converged)
     print_verdicts(progress, verdicts);
   else // they speak of the end of the run
-    for (Verdict& v : verdicts) v.ok = false;
+    for (Verdict& v : verdicts)
+      v.ok = false;
   RunFacts facts;
   facts.converged = result.converged;
   facts.wall_seconds =
@@ -131,7 +137,8 @@ int run(const RunOptions& options) {
                               result.counters.steps, result.counters.newton_iterations,
                               facts.wall_seconds, writer.path()));
   else if (comm.is_root())
-    fmt::print(stderr, "abut: stopped at t = {:.6g} of {:.6g}: {}\nEverything up to there is in {}\n",
+    fmt::print(stderr,
+               "abut: stopped at t = {:.6g} of {:.6g}: {}\nEverything up to there is in {}\n",
                result.t, m.deck.time.end, result.reason, writer.path());
   return result.converged ? 0 : 1;
 }

@@ -23,8 +23,8 @@ Json contact_json(const Model& m, const State& s) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
     const contact::ContactSummary& c = s.contacts[i];
-    const bool augmented = m.contacts[i]->options().enforcement ==
-                           contact::Enforcement::augmented_lagrangian;
+    const bool augmented =
+        m.contacts[i]->options().enforcement == contact::Enforcement::augmented_lagrangian;
     all[m.contacts[i]->name()] = {
         {"formulation", "facet_on_facet"},
         {"enforcement", augmented ? "augmented_lagrangian" : "penalty"},
@@ -47,7 +47,8 @@ void write_summary(const Model& m, const State& s, const RunFacts& facts,
   for (int p = 0; p < phase_count; ++p)
     phases[phase_name(static_cast<Phase>(p))] = m.comm.max(m.timers.seconds(static_cast<Phase>(p)));
   const double memory = m.comm.sum(peak_memory_mb());
-  if (file.empty()) return;
+  if (file.empty())
+    return;
   Json json = {{"status", facts.converged ? "converged" : "stopped"},
                {"deck", m.deck.file},
                {"ranks", m.comm.size()},
@@ -71,7 +72,8 @@ void write_summary(const Model& m, const State& s, const RunFacts& facts,
   m.comm.on_root([&] {
     std::ofstream out(file);
     out << json.dump(2) << '\n';
-    if (!out) throw InputError("cannot write the summary '" + file + "'");
+    if (!out)
+      throw InputError("cannot write the summary '" + file + "'");
   });
 }
 

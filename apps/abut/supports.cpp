@@ -32,17 +32,20 @@ Mode row(const Vec3& direction, const Vec3& x, const Piece& piece) {
 
 void add(Piece& piece, const Mode& r) {
   for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j) piece.gram[6 * i + j] += r[i] * r[j];
+    for (std::size_t j = 0; j < 6; ++j)
+      piece.gram[6 * i + j] += r[i] * r[j];
 }
 
 /// Eigenvalues and vectors of a symmetric 6x6 matrix by Jacobi rotations.
 void eigen(Gram a, std::array<double, 6>& values, Gram& vectors) {
   vectors.fill(0.0);
-  for (std::size_t i = 0; i < 6; ++i) vectors[7 * i] = 1.0;
+  for (std::size_t i = 0; i < 6; ++i)
+    vectors[7 * i] = 1.0;
   for (int sweep = 0; sweep < 60; ++sweep)
     for (std::size_t p = 0; p < 6; ++p)
       for (std::size_t q = p + 1; q < 6; ++q) {
-        if (a[6 * p + q] == 0.0) continue;
+        if (a[6 * p + q] == 0.0)
+          continue;
         const double theta = 0.5 * std::atan2(2.0 * a[6 * p + q], a[7 * q] - a[7 * p]);
         const double c = std::cos(theta), s = std::sin(theta);
         for (std::size_t k = 0; k < 6; ++k) {
@@ -59,7 +62,8 @@ void eigen(Gram a, std::array<double, 6>& values, Gram& vectors) {
           vectors[6 * k + q] = s * vp + c * vq;
         }
       }
-  for (std::size_t i = 0; i < 6; ++i) values[i] = a[7 * i];
+  for (std::size_t i = 0; i < 6; ++i)
+    values[i] = a[7 * i];
 }
 
 std::string describe(const Gram& vectors, std::size_t column) {
@@ -87,7 +91,8 @@ std::map<Global, Piece> find_pieces(const Model& m, const std::vector<Global>& l
   std::map<Global, Entry> mine;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     for (Local n : mesh.blocks[b].nodes) {
-      if (!m.material[b]) continue;
+      if (!m.material[b])
+        continue;
       Entry start{label[n], {1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}, m.body_of_block[b]};
       Entry& e = mine.try_emplace(label[n], start).first->second;
       for (int i = 0; i < 3; ++i) {
@@ -96,7 +101,8 @@ std::map<Global, Piece> find_pieces(const Model& m, const std::vector<Global>& l
       }
     }
   std::vector<Entry> list;
-  for (const auto& entry : mine) list.push_back(entry.second);
+  for (const auto& entry : mine)
+    list.push_back(entry.second);
   const std::vector<std::vector<Entry>> to_all(static_cast<std::size_t>(m.comm.size()), list);
   std::map<Global, Entry> all;
   for (const auto& part : m.comm.exchange(to_all))
@@ -121,7 +127,8 @@ std::map<Global, Piece> find_pieces(const Model& m, const std::vector<Global>& l
   return pieces;
 }
 
-void add_supports(const Model& m, const std::vector<Global>& label, std::map<Global, Piece>& pieces) {
+void add_supports(const Model& m, const std::vector<Global>& label,
+                  std::map<Global, Piece>& pieces) {
   const mesh::Mesh& mesh = *m.mesh;
   const auto unit = [](int i) {
     Vec3 e = Vec3::zero();
@@ -161,14 +168,13 @@ void add_secondary_supports(const Model& m, const std::vector<Global>& label,
   for (const auto& contact : m.contacts)
     for (const contact::ClosedPoint& q : contact->closed_points())
       send[static_cast<std::size_t>(mesh.owner(q.secondary_node))].push_back(
-          {q.secondary_node,
-           {q.normal[0], q.normal[1], q.normal[2]},
-           {q.x[0], q.x[1], q.x[2]}});
+          {q.secondary_node, {q.normal[0], q.normal[1], q.normal[2]}, {q.x[0], q.x[1], q.x[2]}});
   const Global first = mesh.first_node[static_cast<std::size_t>(m.comm.rank())];
   for (const auto& list : m.comm.exchange(send))
     for (const Entry& e : list) {
       const Global id = label[static_cast<std::size_t>(e.node - first)];
-      if (id < 0) continue;
+      if (id < 0)
+        continue;
       Piece& p = pieces.at(id);
       add(p, row({{e.normal[0], e.normal[1], e.normal[2]}}, {{e.x[0], e.x[1], e.x[2]}}, p));
     }
@@ -178,7 +184,8 @@ void add_secondary_supports(const Model& m, const std::vector<Global>& label,
 
 std::vector<FreePiece> free_pieces(const Model& m) {
   std::vector<char> deformable;
-  for (const auto& material : m.material) deformable.push_back(material.has_value());
+  for (const auto& material : m.material)
+    deformable.push_back(material.has_value());
   const std::vector<Global> label = mesh::connected_pieces(*m.mesh, deformable);
   std::map<Global, Piece> pieces = find_pieces(m, label);
   add_supports(m, label, pieces);
@@ -187,23 +194,28 @@ std::vector<FreePiece> free_pieces(const Model& m) {
   for (auto& [id, piece] : pieces) {
     m.comm.sum(piece.gram.data(), 36);
     double trace = 0.0;
-    for (std::size_t i = 0; i < 6; ++i) trace += piece.gram[7 * i];
+    for (std::size_t i = 0; i < 6; ++i)
+      trace += piece.gram[7 * i];
     std::array<double, 6> values;
     Gram vectors;
     eigen(piece.gram, values, vectors);
     FreePiece free{m.deck.bodies[std::size_t(piece.body)].name, {}};
     for (std::size_t i = 0; i < 6; ++i)
-      if (values[i] <= 1e-10 * trace) free.motions.push_back(describe(vectors, i));
-    if (!free.motions.empty()) result.push_back(free);
+      if (values[i] <= 1e-10 * trace)
+        free.motions.push_back(describe(vectors, i));
+    if (!free.motions.empty())
+      result.push_back(free);
   }
   return result;
 }
 
 void require_supports(const Model& m) {
   const auto free = free_pieces(m);
-  if (free.empty()) return;
+  if (free.empty())
+    return;
   std::string list;
-  for (const std::string& motion : free[0].motions) list += (list.empty() ? "" : ", ") + motion;
+  for (const std::string& motion : free[0].motions)
+    list += (list.empty() ? "" : ", ") + motion;
   throw InputError(m.deck.where("bodies." + free[0].body) + ": body '" + free[0].body +
                    "' is free to move: " + list +
                    ". Hold it with 'displacements', or start it in closed contact");

@@ -117,7 +117,7 @@ class InvalidMesh(unittest.TestCase):
 
     def test_mesh_truncated(self):
         whole = self.mesh.read_bytes()
-        for share in (0.02, 0.3, 0.6, 0.8, 0.9, 0.98):
+        for share in (0.02, 0.6, 0.9, 0.98):
             with self.subTest(share=share):
                 path = self.path / "short.exo"
                 path.write_bytes(whole[:int(share * len(whole))])

@@ -29,7 +29,8 @@ struct Blocks {
     material.young = 1.0;
     material.poisson = 0.3;
     for (int b = 0; b < 2; ++b)
-      system.add(std::make_shared<solid::SolidContribution>(mesh, b, solid::make_material(material)));
+      system.add(
+          std::make_shared<solid::SolidContribution>(mesh, b, solid::make_material(material)));
     contact::ContactOptions options;
     options.name = "pair";
     options.penalty = 100.0;
@@ -51,24 +52,27 @@ struct Blocks {
 void tangent(benchmark::State& state) {
   Blocks blocks(static_cast<int>(state.range(0)));
   Vector x(blocks.system.dofs().map());
-  for (auto _ : state) benchmark::DoNotOptimize(blocks.system.tangent(x));
-  state.counters["elements"] = benchmark::Counter(
-      double(blocks.mesh.num_elements), benchmark::Counter::kIsIterationInvariantRate);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(blocks.system.tangent(x));
+  state.counters["elements"] = benchmark::Counter(double(blocks.mesh.num_elements),
+                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void residual(benchmark::State& state) {
   Blocks blocks(static_cast<int>(state.range(0)));
   Vector x(blocks.system.dofs().map()), f(x.getMap());
-  for (auto _ : state) blocks.system.residual(x, f);
-  state.counters["elements"] = benchmark::Counter(
-      double(blocks.mesh.num_elements), benchmark::Counter::kIsIterationInvariantRate);
+  for (auto _ : state)
+    blocks.system.residual(x, f);
+  state.counters["elements"] = benchmark::Counter(double(blocks.mesh.num_elements),
+                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 
 /// Refit, projection of every point, grouping into pairs.
 void contact_search(benchmark::State& state) {
   Blocks blocks(static_cast<int>(state.range(0)));
   std::vector<double> u(3 * blocks.mesh.node.size(), 0.0);
-  for (auto _ : state) blocks.contact->prepare({u.data(), 3, 0.0});
+  for (auto _ : state)
+    blocks.contact->prepare({u.data(), 3, 0.0});
   state.counters["points"] = benchmark::Counter(double(blocks.contact->summary().points),
                                                 benchmark::Counter::kIsIterationInvariantRate);
 }
@@ -80,7 +84,8 @@ void pattern(benchmark::State& state) {
   blocks.system.tangent(x);
   std::vector<Connectivity> cells{blocks.contact->candidates(), blocks.contact->connectivity()};
   assembly::BlockPattern pattern(blocks.system.dofs());
-  for (auto _ : state) pattern.build({&cells[0], &cells[1]});
+  for (auto _ : state)
+    pattern.build({&cells[0], &cells[1]});
 }
 
 BENCHMARK(tangent)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);

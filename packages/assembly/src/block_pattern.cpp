@@ -34,11 +34,13 @@ void local_blocks(const std::vector<const Connectivity*>& all,
       rows.clear();
       for (Local s = cells->offsets[c]; s < cells->offsets[c + 1]; ++s) {
         const Global r = row_of.at(cells->nodes[s]);
-        if (r >= 0) rows.push_back(r);
+        if (r >= 0)
+          rows.push_back(r);
       }
       for (Global r : rows) {
         auto& list = r >= first && r < end ? owned : shared;
-        for (Global k : rows) list.emplace_back(r, k);
+        for (Global k : rows)
+          list.emplace_back(r, k);
       }
       if (owned.size() > limit) {
         sort_unique(owned);
@@ -55,12 +57,14 @@ void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
   const Comm& comm = dofs_.mesh().comm;
   const Global first = dofs_.first_row(), end = first + dofs_.num_rows();
   Blocks b;
-  for (const Connectivity* c : cells) b.nodes.insert(b.nodes.end(), c->nodes.begin(), c->nodes.end());
+  for (const Connectivity* c : cells)
+    b.nodes.insert(b.nodes.end(), c->nodes.begin(), c->nodes.end());
   std::sort(b.nodes.begin(), b.nodes.end());
   b.nodes.erase(std::unique(b.nodes.begin(), b.nodes.end()), b.nodes.end());
   b.rows = dofs_.resolve(b.nodes);
   std::unordered_map<Global, Global> row_of(2 * b.nodes.size());
-  for (std::size_t i = 0; i < b.nodes.size(); ++i) row_of[b.nodes[i]] = b.rows[i];
+  for (std::size_t i = 0; i < b.nodes.size(); ++i)
+    row_of[b.nodes[i]] = b.rows[i];
 
   local_blocks(cells, row_of, first, end, b.owned, b.shared);
   std::vector<std::vector<Global>> send(static_cast<std::size_t>(comm.size()));
@@ -70,8 +74,10 @@ void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
     list.push_back(p.second);
   }
   for (const auto& list : comm.exchange(send))
-    for (std::size_t i = 0; i < list.size(); i += 2) b.owned.emplace_back(list[i], list[i + 1]);
-  for (Global r = first; r < end; ++r) b.owned.emplace_back(r, r);
+    for (std::size_t i = 0; i < list.size(); i += 2)
+      b.owned.emplace_back(list[i], list[i + 1]);
+  for (Global r = first; r < end; ++r)
+    b.owned.emplace_back(r, r);
   sort_unique(b.owned);
 
   number_columns(b);
@@ -85,24 +91,31 @@ void BlockPattern::number_columns(const Blocks& b) {
   const Local owned_rows = dofs_.num_rows();
   std::vector<Global> ghosts;
   const auto note = [&](Global r) {
-    if (r >= 0 && (r < first || r >= end)) ghosts.push_back(r);
+    if (r >= 0 && (r < first || r >= end))
+      ghosts.push_back(r);
   };
-  for (const Block& p : b.owned) note(p.second);
-  for (Global r : b.rows) note(r);
+  for (const Block& p : b.owned)
+    note(p.second);
+  for (Global r : b.rows)
+    note(r);
   std::sort(ghosts.begin(), ghosts.end());
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
 
   column_row_.resize(static_cast<std::size_t>(owned_rows));
-  for (Local r = 0; r < owned_rows; ++r) column_row_[r] = first + r;
+  for (Local r = 0; r < owned_rows; ++r)
+    column_row_[r] = first + r;
   column_row_.insert(column_row_.end(), ghosts.begin(), ghosts.end());
   const auto column = [&](Global r) -> Local {
-    if (r < 0) return -1;
-    if (r >= first && r < end) return static_cast<Local>(r - first);
-    return owned_rows + static_cast<Local>(std::lower_bound(ghosts.begin(), ghosts.end(), r) -
-                                           ghosts.begin());
+    if (r < 0)
+      return -1;
+    if (r >= first && r < end)
+      return static_cast<Local>(r - first);
+    return owned_rows +
+           static_cast<Local>(std::lower_bound(ghosts.begin(), ghosts.end(), r) - ghosts.begin());
   };
   column_of_node_.clear();
-  for (std::size_t i = 0; i < b.nodes.size(); ++i) column_of_node_[b.nodes[i]] = column(b.rows[i]);
+  for (std::size_t i = 0; i < b.nodes.size(); ++i)
+    column_of_node_[b.nodes[i]] = column(b.rows[i]);
 
   row_offset_.assign(1, 0);
   columns_.clear();
@@ -139,9 +152,11 @@ std::int64_t BlockPattern::num_owned_values() const {
 
 /// First scalar value of block (row, column), or -1 when the pattern does not hold it.
 std::int64_t BlockPattern::position(Local row, Local column) const {
-  const auto begin = columns_.begin() + row_offset_[row], end = columns_.begin() + row_offset_[row + 1];
+  const auto begin = columns_.begin() + row_offset_[row],
+             end = columns_.begin() + row_offset_[row + 1];
   const auto it = std::lower_bound(begin, end, column);
-  if (it == end || *it != column) return -1;
+  if (it == end || *it != column)
+    return -1;
   const int f = dofs_.fields();
   return row_offset_[row] * f * f + (it - begin) * f;
 }
@@ -157,12 +172,14 @@ bool BlockPattern::locate(const Connectivity& cells, CellPositions& out) const {
     column.resize(static_cast<std::size_t>(n));
     for (Local a = 0; a < n; ++a) {
       const auto it = column_of_node_.find(cells.nodes[first + a]);
-      if (it == column_of_node_.end()) return false;
+      if (it == column_of_node_.end())
+        return false;
       column[a] = it->second;
       Local row = column[a];
       if (row >= owned_rows) {
         const auto shared = row_of_shared_.find(column_row_[row]);
-        if (shared == row_of_shared_.end()) return false;
+        if (shared == row_of_shared_.end())
+          return false;
         row = shared->second;
       }
       out.row[first + a] = row;
@@ -172,7 +189,8 @@ bool BlockPattern::locate(const Connectivity& cells, CellPositions& out) const {
         std::int64_t p = -1;
         if (column[a] >= 0 && column[b] >= 0) {
           p = position(out.row[first + a], column[b]);
-          if (p < 0) return false;
+          if (p < 0)
+            return false;
         }
         out.block_position.push_back(p);
       }
@@ -196,7 +214,8 @@ void BlockPattern::plan_exchange() {
       send[owner].push_back(column_row_[columns_[k]]);
     ++send_first_[owner + 1];
   }
-  for (std::size_t r = 0; r < ranks; ++r) send_first_[r + 1] += send_first_[r];
+  for (std::size_t r = 0; r < ranks; ++r)
+    send_first_[r + 1] += send_first_[r];
   const auto arrived = comm.exchange(send);
 
   const Global first = dofs_.first_row(), end = first + owned_rows;
@@ -213,8 +232,8 @@ void BlockPattern::plan_exchange() {
         const Local column =
             g >= first && g < end
                 ? static_cast<Local>(g - first)
-                : owned_rows + static_cast<Local>(
-                                   std::lower_bound(ghosts, column_row_.end(), g) - ghosts);
+                : owned_rows +
+                      static_cast<Local>(std::lower_bound(ghosts, column_row_.end(), g) - ghosts);
         received_[r].position.push_back(position(row, column));
         ABUT_REQUIRE(received_[r].position.back() >= 0, "a shared block is missing at its owner");
       }
@@ -223,7 +242,8 @@ void BlockPattern::plan_exchange() {
 
 void BlockPattern::add_shared_values(double* values) const {
   const Comm& comm = dofs_.mesh().comm;
-  if (comm.size() == 1) return;
+  if (comm.size() == 1)
+    return;
   const int f = dofs_.fields();
   const Local owned_rows = dofs_.num_rows();
   std::vector<std::vector<double>> send(received_.size());
@@ -240,7 +260,8 @@ void BlockPattern::add_shared_values(double* values) const {
       const Local length = row_length_[received_[r].row[i]], count = received_[r].count[i];
       for (int d = 0; d < f; ++d)
         for (Local k = 0; k < count; ++k)
-          for (int g = 0; g < f; ++g) values[position[k] + std::int64_t(d) * length + g] += *in++;
+          for (int g = 0; g < f; ++g)
+            values[position[k] + std::int64_t(d) * length + g] += *in++;
       position += count;
     }
   }
@@ -248,7 +269,8 @@ void BlockPattern::add_shared_values(double* values) const {
 
 void BlockPattern::add_shared_residual(double* residual) const {
   const Comm& comm = dofs_.mesh().comm;
-  if (comm.size() == 1) return;
+  if (comm.size() == 1)
+    return;
   const int f = dofs_.fields();
   const double* shared = residual + std::int64_t(dofs_.num_rows()) * f;
   std::vector<std::vector<double>> send(received_.size());
@@ -268,8 +290,8 @@ void BlockPattern::build_graph() {
   using LocalGraph = Graph::local_graph_device_type;
   LocalGraph::row_map_type::non_const_type offsets("abut::assembly::offsets",
                                                    static_cast<std::size_t>(owned_rows) * f + 1);
-  LocalGraph::entries_type::non_const_type entries(
-      "abut::assembly::entries", static_cast<std::size_t>(num_owned_values()));
+  LocalGraph::entries_type::non_const_type entries("abut::assembly::entries",
+                                                   static_cast<std::size_t>(num_owned_values()));
   const auto host_offsets = Kokkos::create_mirror_view(offsets);
   const auto host_entries = Kokkos::create_mirror_view(entries);
   std::size_t p = 0;
@@ -277,7 +299,8 @@ void BlockPattern::build_graph() {
   for (Local r = 0; r < owned_rows; ++r)
     for (int d = 0; d < f; ++d) {
       for (std::int64_t k = row_offset_[r]; k < row_offset_[r + 1]; ++k)
-        for (int g = 0; g < f; ++g) host_entries(p++) = columns_[k] * f + g;
+        for (int g = 0; g < f; ++g)
+          host_entries(p++) = columns_[k] * f + g;
       host_offsets(std::size_t(r) * f + d + 1) = p;
     }
   Kokkos::deep_copy(offsets, host_offsets);
@@ -286,11 +309,12 @@ void BlockPattern::build_graph() {
   std::vector<Global> column_ids;
   column_ids.reserve(column_row_.size() * static_cast<std::size_t>(f));
   for (Global r : column_row_)
-    for (int g = 0; g < f; ++g) column_ids.push_back(r * f + g);
+    for (int g = 0; g < f; ++g)
+      column_ids.push_back(r * f + g);
   const auto map = dofs_.map();
-  const RCP<const Map> columns = rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                             Teuchos::ArrayView<const Global>(column_ids), 0,
-                                             map->getComm()));
+  const RCP<const Map> columns =
+      rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                  Teuchos::ArrayView<const Global>(column_ids), 0, map->getComm()));
   const auto graph = rcp(new Graph(map, columns, offsets, entries));
   graph->expertStaticFillComplete(map, map);
   graph_ = graph;

@@ -15,13 +15,15 @@ DofMap::DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names,
                "one flag for each local node");
   row_of_node_.assign(static_cast<std::size_t>(mesh.num_owned), -1);
   for (Local n = 0; n < mesh.num_owned; ++n) {
-    if (without_unknowns[n]) continue;
+    if (without_unknowns[n])
+      continue;
     row_of_node_[n] = num_rows();
     node_of_row_.push_back(n);
   }
   const auto counts = mesh.comm.all_gather(Global(num_rows()));
   first_row_.assign(1, 0);
-  for (Global c : counts) first_row_.push_back(first_row_.back() + c);
+  for (Global c : counts)
+    first_row_.push_back(first_row_.back() + c);
   map_ = rcp(new Map(static_cast<Tpetra::global_size_t>(num_global_rows() * fields()),
                      static_cast<std::size_t>(num_rows()) * static_cast<std::size_t>(fields()), 0,
                      teuchos_comm(mesh.comm)));
@@ -40,10 +42,12 @@ std::vector<Global> DofMap::resolve(const std::vector<Global>& nodes) const {
     return row < 0 ? -1 : first_row() + row;
   };
   std::vector<std::vector<Global>> ask(ranks);
-  for (Global n : nodes) ask[static_cast<std::size_t>(mesh_.owner(n))].push_back(n);
+  for (Global n : nodes)
+    ask[static_cast<std::size_t>(mesh_.owner(n))].push_back(n);
   auto answer = mesh_.comm.exchange(ask);
   for (auto& list : answer)
-    for (Global& n : list) n = row_of(n);
+    for (Global& n : list)
+      n = row_of(n);
   answer = mesh_.comm.exchange(answer);
   std::vector<std::size_t> next(ranks, 0);
   std::vector<Global> rows;

@@ -37,7 +37,8 @@ void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
   std::fill(constrained_.begin(), constrained_.end(), 0);
   for (const Constraint& c : constraints_) {
     const Local row = dofs_.row_of_node(c.node);
-    if (row >= 0) constrained_[static_cast<std::size_t>(row * dofs_.fields() + c.field)] = 1;
+    if (row >= 0)
+      constrained_[static_cast<std::size_t>(row * dofs_.fields() + c.field)] = 1;
   }
   matrix_ = Teuchos::null;
 }
@@ -57,12 +58,15 @@ bool EquationSystem::symmetric() const {
                      [](const Part& p) { return p.contribution->symmetric(); });
 }
 
-NodalFields EquationSystem::fields() const { return {u_.data(), dofs_.fields(), time_}; }
+NodalFields EquationSystem::fields() const {
+  return {u_.data(), dofs_.fields(), time_};
+}
 
 std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
   const int f = dofs_.fields();
   std::vector<double> u(static_cast<std::size_t>(dofs_.mesh().num_local()) * f, 0.0);
-  if (motion_) motion_(time_, u.data());
+  if (motion_)
+    motion_(time_, u.data());
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (Local r = 0; r < dofs_.num_rows(); ++r)
     for (int d = 0; d < f; ++d)
@@ -77,7 +81,8 @@ void EquationSystem::prepare(const Vector& x) {
   std::vector<double> u = nodal_values(x);
   const bool same = prepared_ && u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0;
-  if (!comm.any(!same)) return;
+  if (!comm.any(!same))
+    return;
   for (double v : u)
     if (!std::isfinite(v)) {
       u[0] = v;
@@ -103,14 +108,16 @@ void EquationSystem::update_pattern() {
     bool inside = pattern_.version() > 0;
     for (Part& p : parts_) {
       const long version = p.contribution->connectivity_version();
-      if (p.connectivity_version == version && p.pattern_version == pattern_.version()) continue;
+      if (p.connectivity_version == version && p.pattern_version == pattern_.version())
+        continue;
       inside = inside && pattern_.locate(p.contribution->connectivity(), p.positions);
       p.connectivity_version = version;
       p.pattern_version = inside ? pattern_.version() : -1;
     }
     return inside;
   };
-  if (!dofs_.mesh().comm.any(!locate())) return;
+  if (!dofs_.mesh().comm.any(!locate()))
+    return;
   std::vector<const Connectivity*> cells;
   for (const Part& p : parts_) {
     cells.push_back(&p.contribution->candidates());
@@ -133,11 +140,12 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     std::vector<double> buffer(static_cast<std::size_t>(pattern_.num_rows()) * width, 0.0);
     comm.together([&] {
       for (Part& p : parts_) {
-        if (p.contribution->internal_force() != internal) continue;
+        if (p.contribution->internal_force() != internal)
+          continue;
         const PhaseTimers::Scope scope(timers_, p.contribution->phase());
         const Connectivity& cells = p.contribution->connectivity();
-        p.contribution->residual(fields(), {width, cells.offsets.data(), p.positions.row.data(),
-                                            buffer.data()});
+        p.contribution->residual(
+            fields(), {width, cells.offsets.data(), p.positions.row.data(), buffer.data()});
       }
     });
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
@@ -158,7 +166,8 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
   reference_force_ = std::sqrt(std::max(all[0], all[1]));
   round_off_force_ = round_off * std::sqrt(all[2]);
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t i = 0; i < owned; ++i) view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
+  for (std::size_t i = 0; i < owned; ++i)
+    view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
 }
 
 void EquationSystem::assemble_tangent() {
@@ -191,7 +200,8 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
     Vector owned(dofs_.map()), columns(pattern_.graph()->getColMap());
     {
       const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
-      for (std::size_t i = 0; i < constrained_.size(); ++i) view(i, 0) = constrained_[i];
+      for (std::size_t i = 0; i < constrained_.size(); ++i)
+        view(i, 0) = constrained_[i];
     }
     const auto importer = pattern_.graph()->getImporter();
     if (importer.is_null())
@@ -200,7 +210,8 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
       columns.doImport(owned, *importer, Tpetra::INSERT);
     const auto view = columns.getLocalViewHost(Tpetra::Access::ReadOnly);
     constrained_column_.resize(view.extent(0));
-    for (std::size_t i = 0; i < view.extent(0); ++i) constrained_column_[i] = view(i, 0) != 0.0;
+    for (std::size_t i = 0; i < view.extent(0); ++i)
+      constrained_column_[i] = view(i, 0) != 0.0;
   } else {
     matrix_->resumeFill();
   }
@@ -210,7 +221,8 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
   diagonal_.assign(constrained_.size(), 0.0);
   for (Local i = 0; i < local.numRows(); ++i)
     for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k)
-      if (local.graph.entries(k) == i) diagonal_[std::size_t(i)] = raw_values_[k];
+      if (local.graph.entries(k) == i)
+        diagonal_[std::size_t(i)] = raw_values_[k];
   return matrix_;
 }
 
@@ -226,13 +238,13 @@ void EquationSystem::copy_constrained(Matrix& matrix) const {
       const Local j = local.graph.entries(k);
       const double raw = raw_values_[k];
       empty = empty && raw == 0.0;
-      local.values(k) = i == j                                        ? raw
-                        : constrained_[i] || constrained_column_[j]   ? 0.0
-                                                                      : raw;
+      local.values(k) = i == j ? raw : constrained_[i] || constrained_column_[j] ? 0.0 : raw;
     }
-    if (!empty) continue;
+    if (!empty)
+      continue;
     for (auto k = begin; k < end; ++k)
-      if (local.graph.entries(k) == i) local.values(k) = 1.0;
+      if (local.graph.entries(k) == i)
+        local.values(k) = 1.0;
   }
 }
 
@@ -240,7 +252,8 @@ void EquationSystem::apply_constraints(Vector& x) const {
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (const Constraint& c : constraints_) {
     const Local row = dofs_.row_of_node(c.node);
-    if (row >= 0) view(std::size_t(row) * dofs_.fields() + c.field, 0) = c.value(time_);
+    if (row >= 0)
+      view(std::size_t(row) * dofs_.fields() + c.field, 0) = c.value(time_);
   }
 }
 
@@ -265,7 +278,8 @@ void EquationSystem::predictor(const Vector& x, Vector& rhs) {
     for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k) {
       const Local j = local.graph.entries(k);
       lift += raw_values_[k] * dx(j, 0);
-      if (i == j) diagonal = local.values(k);
+      if (i == j)
+        diagonal = local.values(k);
     }
     r(i, 0) = constrained_[i] ? diagonal * own(i, 0) : -r(i, 0) - lift;
   }
@@ -273,11 +287,13 @@ void EquationSystem::predictor(const Vector& x, Vector& rhs) {
 
 void EquationSystem::accept(const Vector& x) {
   prepare(x);
-  for (Part& p : parts_) p.contribution->accept();
+  for (Part& p : parts_)
+    p.contribution->accept();
 }
 
 void EquationSystem::reject() {
-  for (Part& p : parts_) p.contribution->reject();
+  for (Part& p : parts_)
+    p.contribution->reject();
   prepared_ = false;
 }
 

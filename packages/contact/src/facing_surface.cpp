@@ -18,7 +18,8 @@ std::vector<double> face_sizes(const mesh::Surface& s) {
   for (Local f = 0; f < s.num_faces(); ++f) {
     Vec3 x[fem::max_face_nodes];
     for (Local a = s.offset[f]; a < s.offset[f + 1]; ++a)
-      for (int i = 0; i < 3; ++i) x[a - s.offset[f]][i] = s.x[std::size_t(s.nodes[a]) * 3 + i];
+      for (int i = 0; i < 3; ++i)
+        x[a - s.offset[f]][i] = s.x[std::size_t(s.nodes[a]) * 3 + i];
     const fem::Rule<2> rule = fem::face_rule(s.type[f], 2);
     double area = 0.0;
     for (int p = 0; p < rule.size(); ++p) {
@@ -110,7 +111,8 @@ void FacingSurface::pack(Local f, double size, std::size_t rank, std::vector<cha
   for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a) {
     const Local node = own_.nodes[a];
     out.face_nodes[rank].push_back(own_.node[node]);
-    if (taken[node]) continue;
+    if (taken[node])
+      continue;
     taken[node] = 1;
     send_nodes_[rank].push_back(node);
     out.nodes[rank].push_back(own_.node[node]);
@@ -124,7 +126,8 @@ void FacingSurface::unpack(const Parcels& in) {
   for (std::size_t r = 0; r < in.nodes.size(); ++r)
     for (Global g : in.nodes[r]) {
       const auto [it, is_new] = index.try_emplace(g, static_cast<Local>(node_.size()));
-      if (is_new) node_.push_back(g);
+      if (is_new)
+        node_.push_back(g);
       receive_nodes_[r].push_back(it->second);
     }
   struct Arrived {
@@ -150,7 +153,8 @@ void FacingSurface::unpack(const Parcels& in) {
     size_.push_back(a.face.size);
     modulus_.push_back(a.face.modulus);
     inverse_depth_.push_back(a.face.inverse_depth);
-    for (int k = 0; k < a.face.nodes; ++k) face_nodes_.push_back(index.at(a.nodes[k]));
+    for (int k = 0; k < a.face.nodes; ++k)
+      face_nodes_.push_back(index.at(a.nodes[k]));
     offset_.push_back(static_cast<Local>(face_nodes_.size()));
   }
   largest_size_ = size_.empty() ? 0.0 : *std::max_element(size_.begin(), size_.end());
@@ -188,11 +192,13 @@ Box<3> FacingSurface::box(Local face) const {
 
 void FacingSurface::coordinates(Local face, Vec3* y) const {
   for (Local a = offset_[face]; a < offset_[face + 1]; ++a, ++y)
-    for (int i = 0; i < 3; ++i) (*y)[i] = x_[std::size_t(face_nodes_[a]) * 3 + i];
+    for (int i = 0; i < 3; ++i)
+      (*y)[i] = x_[std::size_t(face_nodes_[a]) * 3 + i];
 }
 
 void FacingSurface::global_nodes(Local face, Global* nodes) const {
-  for (Local a = offset_[face]; a < offset_[face + 1]; ++a) *nodes++ = node_[face_nodes_[a]];
+  for (Local a = offset_[face]; a < offset_[face + 1]; ++a)
+    *nodes++ = node_[face_nodes_[a]];
 }
 
 } // namespace abut::contact

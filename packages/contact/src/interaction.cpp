@@ -15,18 +15,21 @@ using search::Box;
 
 namespace {
 
-constexpr double pattern_pad = 0.5;  ///< pairs this close, in face sizes, get room in the matrix
-constexpr int summary_levels = 6;    ///< up to 2^6 boxes tell other ranks where this one's faces are
-constexpr double touching = 1e-8;    ///< gap that counts as none in the tangent, in face sizes
-constexpr double round_off = 1e-9;   ///< beside a face by no more than this is on it
-constexpr double hold_margin = 0.1;  ///< a point that swings between two faces stays on one up to here
-constexpr int swings = 2;            ///< returns to the face just left that count as swinging
+constexpr double pattern_pad = 0.5; ///< pairs this close, in face sizes, get room in the matrix
+constexpr int summary_levels = 6;   ///< up to 2^6 boxes tell other ranks where this one's faces are
+constexpr double touching = 1e-8;   ///< gap that counts as none in the tangent, in face sizes
+constexpr double round_off = 1e-9;  ///< beside a face by no more than this is on it
+constexpr double as_near = 0.01;    ///< difference of distances that decides nothing, in face sizes
+constexpr double hold_margin =
+    0.1;                  ///< a point that swings between two faces stays on one up to here
+constexpr int swings = 2; ///< returns to the face just left that count as swinging
 constexpr double outward_share = -1e-2; ///< cosine between normals below which faces oppose
 
 double smallest_positive(const std::vector<double>& values) {
   double least = std::numeric_limits<double>::max();
   for (double v : values)
-    if (v > 0.0) least = std::min(least, v);
+    if (v > 0.0)
+      least = std::min(least, v);
   return least;
 }
 
@@ -50,8 +53,10 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       throw InputError(where + "both surfaces are rigid: give 'penalty' [pressure/length]");
   }
   double total = 0.0;
-  for (double s : size_) total += s;
-  for (double s : face_sizes(secondary_)) total += s;
+  for (double s : size_)
+    total += s;
+  for (double s : face_sizes(secondary_))
+    total += s;
   slack_ = comm_.sum(total) /
            double(comm_.sum(Global(primary_.num_faces()) + Global(secondary_.num_faces())));
 
@@ -85,14 +90,18 @@ void Interaction::move_origin() {
   for (int i = 0; i < 3; ++i) {
     double low = std::numeric_limits<double>::max();
     for (const mesh::Surface* s : {&primary_, &secondary_})
-      for (std::size_t n = 0; n < s->node.size(); ++n) low = std::min(low, s->x[3 * n + std::size_t(i)]);
+      for (std::size_t n = 0; n < s->node.size(); ++n)
+        low = std::min(low, s->x[3 * n + std::size_t(i)]);
     origin_[i] = comm_.min(low);
     for (mesh::Surface* s : {&primary_, &secondary_})
-      for (std::size_t n = 0; n < s->node.size(); ++n) s->x[3 * n + std::size_t(i)] -= origin_[i];
+      for (std::size_t n = 0; n < s->node.size(); ++n)
+        s->x[3 * n + std::size_t(i)] -= origin_[i];
   }
 }
 
-const fem::Rule<2>& Interaction::rule(Local face) const { return rules_.at(primary_.type[face]); }
+const fem::Rule<2>& Interaction::rule(Local face) const {
+  return rules_.at(primary_.type[face]);
+}
 
 const std::vector<double>& Interaction::shape(Local face) const {
   return shapes_.at(primary_.type[face]);
@@ -101,7 +110,8 @@ const std::vector<double>& Interaction::shape(Local face) const {
 void Interaction::primary_coordinates(Local face, bool reference, Vec3* x) const {
   const std::vector<double>& from = reference ? primary_.x : x_primary_;
   for (Local a = primary_.offset[face]; a < primary_.offset[face + 1]; ++a, ++x)
-    for (int i = 0; i < 3; ++i) (*x)[i] = from[std::size_t(primary_.nodes[a]) * 3 + i];
+    for (int i = 0; i < 3; ++i)
+      (*x)[i] = from[std::size_t(primary_.nodes[a]) * 3 + i];
 }
 
 void Interaction::current_coordinates(const NodalFields& fields) {
@@ -120,7 +130,8 @@ void Interaction::collect_if_moved() {
     double most = 0.0;
     for (std::size_t n = 0; n + 2 < now.size(); n += 3) {
       double d = 0.0;
-      for (std::size_t i = n; i < n + 3; ++i) d += (now[i] - then[i]) * (now[i] - then[i]);
+      for (std::size_t i = n; i < n + 3; ++i)
+        d += (now[i] - then[i]) * (now[i] - then[i]);
       most = std::max(most, d);
     }
     return std::sqrt(most);
@@ -139,14 +150,16 @@ void Interaction::collect_if_moved() {
     Vec3 x[fem::max_face_nodes];
     primary_coordinates(f, false, x);
     Box<3> b = Box<3>::empty();
-    for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a) b.add(x[a].v);
+    for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a)
+      b.add(x[a].v);
     b.inflate(options_.reach * size_[f] + slack_);
     boxes.push_back(b);
   }
   search::Bvh<3> tree;
   tree.build(boxes);
   facing_.collect(x_secondary_, tree.summary(summary_levels));
-  for (PointState& p : points_) p.facing = p.left = -1; // face numbers are new
+  for (PointState& p : points_)
+    p.facing = p.left = -1; // face numbers are new
 }
 
 Interaction::Frame Interaction::frame(Local face, int point) const {
@@ -170,7 +183,8 @@ void Interaction::project_points() {
   using Execution = Kokkos::DefaultHostExecutionSpace;
   Kokkos::parallel_for("abut::contact::project",
                        Kokkos::RangePolicy<Execution>(0, primary_.num_faces()), [&](Local f) {
-                         for (int p = 0; p < face_points(f); ++p) project(f, p);
+                         for (int p = 0; p < face_points(f); ++p)
+                           project(f, p);
                        });
 }
 
@@ -190,9 +204,9 @@ struct Partner {
 } // namespace
 
 /// Finds the nearest facing face on which the point projects. A projection within the margin beside
-/// a face (the point lies above a concave edge, or just off the rim) counts only when no face with a
-/// projection inside is about as near. Normals jump from face to face, so that a balance right at an
-/// edge would be missed from both sides: a point that swings between two faces stays on one.
+/// a face (the point lies above a concave edge, or just off the rim) counts only when no face with
+/// a projection inside is about as near. Normals jump from face to face, so that a balance right at
+/// an edge would be missed from both sides: a point that swings between two faces stays on one.
 void Interaction::project(Local face, int p) {
   PointState& state = points_[point_index(face, p)];
   const Frame at = frame(face, p);
@@ -207,39 +221,49 @@ void Interaction::project(Local face, int p) {
     facing_.coordinates(candidate, y);
     double start[2];
     fem::dispatch_face(type, [&](auto s) { decltype(s)::center(start); });
-    if (candidate == last) start[0] = state.xi[0], start[1] = state.xi[1];
+    if (candidate == last)
+      start[0] = state.xi[0], start[1] = state.xi[1];
     const search::Projection found = search::project(type, y, at.x, start);
-    if (!found.converged) return;
+    if (!found.converged)
+      return;
     const double unit = fem::is_triangle(type) ? 1.0 : 2.0; // length of a side in parameters
     const auto within = [&](double margin) {
       return fem::dispatch_face(
           type, [&](auto s) { return decltype(s)::inside(found.xi, margin * unit); });
     };
     const bool hold = swinging && candidate == last;
-    if (!within(hold ? hold_margin : options_.projection_margin)) return;
+    if (!within(hold ? hold_margin : options_.projection_margin))
+      return;
     const auto q = facet_gap<double>(type, y, at.x, found.xi);
     const double distance = std::fabs(q.gap);
-    if (dot(q.normal, at.normal) > outward_share) return;
-    if (distance > std::max(own_reach, options_.reach * facing_.size(candidate))) return;
+    if (dot(q.normal, at.normal) > outward_share)
+      return;
+    if (distance > std::max(own_reach, options_.reach * facing_.size(candidate)))
+      return;
     const bool is_inner = hold || within(round_off);
     Partner& partner = is_inner ? inner : beside;
     if (partner.beaten_by(distance, candidate))
       partner = {candidate, distance, q.gap, {found.xi[0], found.xi[1]}};
-    if (is_inner) limit = std::min(limit, distance);
+    if (is_inner)
+      limit = std::min(limit, distance);
   };
-  if (last >= 0) visit(last); // most likely still the nearest: it bounds the search
+  if (last >= 0)
+    visit(last); // most likely still the nearest: it bounds the search
   const bool is_held = swinging && inner.face == last;
   if (!is_held)
     facing_.tree().traverse(
         [&](const Box<3>& box) { return box.distance2(at.x.v) <= limit * limit; },
         [&](Local candidate) {
-          if (candidate != last) visit(candidate);
+          if (candidate != last)
+            visit(candidate);
         });
   const bool prefer_inner =
-      inner.face >= 0 && (beside.face < 0 || inner.distance <= 2.0 * beside.distance);
+      inner.face >= 0 &&
+      (beside.face < 0 || inner.distance <= 2.0 * beside.distance + as_near * size_[face]);
   const Partner& best = prefer_inner ? inner : beside;
   if (last >= 0 && best.face >= 0 && best.face != last) {
-    if (best.face == state.left) ++state.returns;
+    if (best.face == state.left)
+      ++state.returns;
     state.left = last;
   }
   state.facing = best.face;
@@ -261,9 +285,10 @@ void Interaction::project(Local face, int p) {
 /// eps = f E A/V: E of the softer body, A/V of the primary elements, or of the secondary ones when
 /// the primary is rigid (theory: eq. 595, 596).
 double Interaction::penalty_of(Local face, Local facing) const {
-  if (options_.penalty > 0.0) return options_.penalty;
-  const double inverse_depth = primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face]
-                                                            : facing_.inverse_depth(facing);
+  if (options_.penalty > 0.0)
+    return options_.penalty;
+  const double inverse_depth =
+      primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face] : facing_.inverse_depth(facing);
   return options_.penalty_factor * softest_modulus_ * inverse_depth;
 }
 
@@ -274,11 +299,13 @@ void Interaction::build_pairs() {
     const std::size_t first = list.size();
     for (int p = 0; p < face_points(f); ++p) {
       const Local index = point_index(f, p);
-      if (!points_[index].active) continue;
+      if (!points_[index].active)
+        continue;
       const Local facing = points_[index].facing;
       auto it = std::find_if(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(),
                              [&](const Pair& pair) { return pair.facing == facing; });
-      if (it == list.end()) it = list.insert(list.end(), Pair{f, facing, {}});
+      if (it == list.end())
+        it = list.insert(list.end(), Pair{f, facing, {}});
       it->points.push_back(p);
     }
   }
@@ -292,7 +319,8 @@ void Interaction::build_pairs() {
     cells.add(nodes, n + facing_.nodes(pair.facing));
   }
   pair_list_ = std::move(list);
-  if (cells.nodes == pairs_.nodes && cells.offsets == pairs_.offsets) return;
+  if (cells.nodes == pairs_.nodes && cells.offsets == pairs_.offsets)
+    return;
   pairs_ = std::move(cells);
   ++version_;
 }
@@ -303,7 +331,8 @@ const Connectivity& Interaction::candidates() const {
     Vec3 x[fem::max_face_nodes];
     primary_coordinates(f, false, x);
     Box<3> b = Box<3>::empty();
-    for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a) b.add(x[a].v);
+    for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a)
+      b.add(x[a].v);
     b.inflate(pattern_pad * size_[f]);
     Global nodes[2 * fem::max_face_nodes];
     int n = 0;
@@ -330,8 +359,8 @@ void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
         double r[2 * fem::max_face_nodes * 3] = {};
         for (Local p : pair.points) {
           const PointState& state = points_[point_index(pair.face, p)];
-          const auto q = facet_gap<double>(facing_.type(pair.facing), y,
-                                           frame(pair.face, p).x, state.xi);
+          const auto q =
+              facet_gap<double>(facing_.type(pair.facing), y, frame(pair.face, p).x, state.xi);
           facet_force(n1, &shape(pair.face)[std::size_t(p) * n1], n2, q,
                       weight_[point_index(pair.face, p)], state.pressure, r);
         }
@@ -355,8 +384,8 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
         std::fill_n(k, 9 * (n1 + n2) * (n1 + n2), 0.0);
         for (Local p : pair.points) {
           const PointState& state = points_[point_index(pair.face, p)];
-          const auto q = facet_gap<double>(facing_.type(pair.facing), y,
-                                           frame(pair.face, p).x, state.xi);
+          const auto q =
+              facet_gap<double>(facing_.type(pair.facing), y, frame(pair.face, p).x, state.xi);
           if (!facet_tangent(n1, &shape(pair.face)[std::size_t(p) * n1], n2, q,
                              weight_[point_index(pair.face, p)], state.penalty, state.pressure, k))
             ++failed;

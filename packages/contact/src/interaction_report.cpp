@@ -24,7 +24,8 @@ Augmentation Interaction::augmentation() const {
       const double change = state.pressure - state.multiplier;
       sums[0] += weight_[i] * change * change;
       sums[1] += weight_[i] * state.pressure * state.pressure;
-      if (state.facing >= 0) gap = std::max(gap, -state.gap / size_[f]);
+      if (state.facing >= 0)
+        gap = std::max(gap, -state.gap / size_[f]);
     }
   comm_.sum(sums, 2);
   Augmentation result;
@@ -44,7 +45,8 @@ Augmentation Interaction::augmentation() const {
 
 void Interaction::augment() {
   last_gaps_.push_back(augmentation().gap);
-  for (PointState& p : points_) p.multiplier = p.pressure; // pressure is <lambda - eps gap>
+  for (PointState& p : points_)
+    p.multiplier = p.pressure; // pressure is <lambda - eps gap>
 }
 
 double Interaction::current_area_ratio(Local face, int point) const {
@@ -56,8 +58,8 @@ double Interaction::current_area_ratio(Local face, int point) const {
          weight_[point_index(face, point)];
 }
 
-/// Averages weighted with the corner functions, which stay positive on quadratic faces; a middle node
-/// takes the functions of the corners it stands between.
+/// Averages weighted with the corner functions, which stay positive on quadratic faces; a middle
+/// node takes the functions of the corners it stands between.
 NodalSums Interaction::nodal_sums() const {
   const auto n = static_cast<std::size_t>(primary_.num_nodes());
   NodalSums s;
@@ -73,9 +75,7 @@ NodalSums Interaction::nodal_sums() const {
       const double pressure = state.pressure * weight_[point_index(f, p)] / area;
       double N[fem::max_face_nodes];
       fem::dispatch_face(fem::is_triangle(type) ? fem::FaceType::tri3 : fem::FaceType::quad4,
-                         [&](auto shape) {
-                           decltype(shape)::values(rule(f).xi[p].data(), N);
-                         });
+                         [&](auto shape) { decltype(shape)::values(rule(f).xi[p].data(), N); });
       Vec3 normal = Vec3::zero();
       if (pressure > 0.0) {
         Vec3 y[fem::max_face_nodes];
@@ -91,7 +91,8 @@ NodalSums Interaction::nodal_sums() const {
         s.weight[node] += share;
         s.pressure[node] += share * pressure;
         s.gap[node] += share * state.gap;
-        if (pressure > 0.0) s.status[node] += share;
+        if (pressure > 0.0)
+          s.status[node] += share;
         for (int i = 0; i < 3; ++i)
           s.traction[3 * node + std::size_t(i)] += share * pressure * normal[i];
       }
@@ -102,7 +103,8 @@ NodalSums Interaction::nodal_sums() const {
 
 namespace {
 
-/// Largest average over the ranks that share nodes: each node is summed on one rank picked by its id.
+/// Largest average over the ranks that share nodes: each node is summed on one rank picked by its
+/// id.
 double largest_average(const Comm& comm, const std::vector<Global>& node,
                        const std::vector<double>& weight, const std::vector<double>& sum) {
   struct Entry {
@@ -120,7 +122,8 @@ double largest_average(const Comm& comm, const std::vector<Global>& node,
     }
   double largest = 0.0;
   for (const auto& [id, t] : total)
-    if (t.first > 0.0) largest = std::max(largest, t.second / t.first);
+    if (t.first > 0.0)
+      largest = std::max(largest, t.second / t.first);
   return comm.max(largest);
 }
 
@@ -134,23 +137,27 @@ ContactSummary Interaction::summary() const {
       const Local i = point_index(f, p);
       const PointState& state = points_[i];
       ++s.points;
-      if (state.facing < 0) continue;
+      if (state.facing < 0)
+        continue;
       ++s.paired_points;
       least = std::min(least, state.gap);
       largest[3] = std::max(largest[3], state.gap);
-      if (state.pressure <= 0.0) continue;
+      if (state.pressure <= 0.0)
+        continue;
       ++s.active_points;
       Vec3 y[fem::max_face_nodes];
       facing_.coordinates(state.facing, y);
       const auto q = facet_gap<double>(facing_.type(state.facing), y, frame(f, p).x, state.xi);
-      for (int k = 0; k < 3; ++k) sums[k] += weight_[i] * state.pressure * q.normal[k];
+      for (int k = 0; k < 3; ++k)
+        sums[k] += weight_[i] * state.pressure * q.normal[k];
       sums[3] += weight_[i];
       largest[0] = std::max(largest[0], state.pressure / current_area_ratio(f, p));
       largest[1] = std::max(largest[1], -state.gap);
       largest[2] = std::max(largest[2], -state.gap / size_[f]);
     }
   comm_.sum(sums, 4);
-  for (std::size_t k = 0; k < 3; ++k) s.force[k] = sums[k];
+  for (std::size_t k = 0; k < 3; ++k)
+    s.force[k] = sums[k];
   s.area = sums[3];
   s.active_points = comm_.sum(s.active_points);
   s.points = comm_.sum(s.points);
@@ -174,9 +181,10 @@ std::vector<ClosedPoint> Interaction::closed_points() const {
     facing_.global_nodes(pair.facing, nodes);
     for (Local p : pair.points) {
       const Vec3 x = frame(pair.face, p).x;
-      const auto q = facet_gap<double>(facing_.type(pair.facing), y, x,
-                                       points_[point_index(pair.face, p)].xi);
-      result.push_back({primary_.nodes[primary_.offset[pair.face]], nodes[0], origin_ + x, q.normal});
+      const auto q =
+          facet_gap<double>(facing_.type(pair.facing), y, x, points_[point_index(pair.face, p)].xi);
+      result.push_back(
+          {primary_.nodes[primary_.offset[pair.face]], nodes[0], origin_ + x, q.normal});
     }
   }
   return result;
@@ -198,7 +206,8 @@ double Interaction::wrong_facing_share() const {
             fem::dispatch_face(facing_.type(candidate),
                                [&](auto s) { decltype(s)::center(center); });
             const auto q = facet_gap<double>(facing_.type(candidate), y, at.x, center);
-            if (std::fabs(q.gap) > size_[f]) return;
+            if (std::fabs(q.gap) > size_[f])
+              return;
             found = true;
             wrong = dot(q.normal, at.normal) > 0.5;
           });

@@ -23,12 +23,24 @@ template <class T> T reduce(T x, MPI_Datatype type, MPI_Op op, MPI_Comm comm) {
 
 } // namespace
 
-double Comm::sum(double x) const { return reduce(x, MPI_DOUBLE, MPI_SUM, comm_); }
-double Comm::max(double x) const { return reduce(x, MPI_DOUBLE, MPI_MAX, comm_); }
-double Comm::min(double x) const { return reduce(x, MPI_DOUBLE, MPI_MIN, comm_); }
-Global Comm::sum(Global x) const { return reduce(x, MPI_LONG_LONG, MPI_SUM, comm_); }
-Global Comm::max(Global x) const { return reduce(x, MPI_LONG_LONG, MPI_MAX, comm_); }
-bool Comm::any(bool x) const { return max(Global(x ? 1 : 0)) != 0; }
+double Comm::sum(double x) const {
+  return reduce(x, MPI_DOUBLE, MPI_SUM, comm_);
+}
+double Comm::max(double x) const {
+  return reduce(x, MPI_DOUBLE, MPI_MAX, comm_);
+}
+double Comm::min(double x) const {
+  return reduce(x, MPI_DOUBLE, MPI_MIN, comm_);
+}
+Global Comm::sum(Global x) const {
+  return reduce(x, MPI_LONG_LONG, MPI_SUM, comm_);
+}
+Global Comm::max(Global x) const {
+  return reduce(x, MPI_LONG_LONG, MPI_MAX, comm_);
+}
+bool Comm::any(bool x) const {
+  return max(Global(x ? 1 : 0)) != 0;
+}
 
 void Comm::sum(double* x, int count) const {
   MPI_Allreduce(MPI_IN_PLACE, x, count, MPI_DOUBLE, MPI_SUM, comm_);
@@ -50,7 +62,8 @@ std::vector<double> Comm::all_gather(const std::vector<double>& x) const {
   std::vector<int> counts(static_cast<std::size_t>(size_)), offsets(counts.size() + 1, 0);
   const int mine = static_cast<int>(x.size());
   MPI_Allgather(&mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
-  for (std::size_t r = 0; r < counts.size(); ++r) offsets[r + 1] = offsets[r] + counts[r];
+  for (std::size_t r = 0; r < counts.size(); ++r)
+    offsets[r + 1] = offsets[r] + counts[r];
   std::vector<double> out(static_cast<std::size_t>(offsets.back()));
   MPI_Allgatherv(x.data(), mine, MPI_DOUBLE, out.data(), counts.data(), offsets.data(), MPI_DOUBLE,
                  comm_);
@@ -88,7 +101,8 @@ Comm::exchange_bytes(const std::vector<std::vector<char>>& send) const {
   }
   std::vector<char> out_buffer, in_buffer(static_cast<std::size_t>(receive_offset[ranks]));
   out_buffer.reserve(static_cast<std::size_t>(send_offset[ranks]));
-  for (const auto& part : send) out_buffer.insert(out_buffer.end(), part.begin(), part.end());
+  for (const auto& part : send)
+    out_buffer.insert(out_buffer.end(), part.begin(), part.end());
   MPI_Alltoallv(out_buffer.data(), send_count.data(), send_offset.data(), MPI_BYTE,
                 in_buffer.data(), receive_count.data(), receive_offset.data(), MPI_BYTE, comm_);
   std::vector<std::vector<char>> received(ranks);
@@ -112,17 +126,21 @@ void Comm::together(const std::function<void()>& work) const {
     kind = defect, message = e.what();
   }
   const Global worst = max(kind);
-  if (worst == none) return;
+  if (worst == none)
+    return;
   const Global speaker = -max(kind == worst ? Global(-rank_) : Global(-size_));
   broadcast(message, static_cast<int>(speaker));
-  if (worst == input) throw InputError(message);
-  if (worst == solve) throw SolveError(message);
+  if (worst == input)
+    throw InputError(message);
+  if (worst == solve)
+    throw SolveError(message);
   throw Defect(message);
 }
 
 void Comm::on_root(const std::function<void()>& work) const {
   together([&] {
-    if (is_root()) work();
+    if (is_root())
+      work();
   });
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t j = 0; j <= b.size(); ++j)
+    row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::size_t diagonal = row[0];
     row[0] = i;
@@ -34,16 +35,19 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 std::string nearest_word_hint(const std::string& word, const std::string* valid,
                               std::size_t count) {
-  if (count == 0) return "none is defined";
+  if (count == 0)
+    return "none is defined";
   std::string list;
   std::size_t best = 0, best_distance = std::string::npos;
   for (std::size_t i = 0; i < count; ++i) {
     list += (i ? ", " : "") + valid[i];
     const std::size_t d = edit_distance(word, valid[i]);
-    if (d < best_distance) best = i, best_distance = d;
+    if (d < best_distance)
+      best = i, best_distance = d;
   }
   std::string hint = "valid: " + list;
-  if (best_distance <= 2 + word.size() / 3) hint += "; did you mean '" + valid[best] + "'?";
+  if (best_distance <= 2 + word.size() / 3)
+    hint += "; did you mean '" + valid[best] + "'?";
   return hint;
 }
 

@@ -19,7 +19,8 @@ PhaseTimers::Scope::~Scope() {
   const double elapsed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   timers_.seconds_[static_cast<std::size_t>(phase_)] += elapsed - inner_seconds_;
-  if (outer_) outer_->inner_seconds_ += elapsed;
+  if (outer_)
+    outer_->inner_seconds_ += elapsed;
   timers_.current_ = outer_;
 }
 

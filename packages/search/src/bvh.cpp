@@ -17,7 +17,8 @@ template <int D> void Bvh<D>::build(const std::vector<Box<D>>& boxes) {
   nodes_.clear();
   items_.resize(boxes.size());
   std::iota(items_.begin(), items_.end(), 0);
-  if (items_.empty()) return;
+  if (items_.empty())
+    return;
   nodes_.reserve(boxes.size());
   split(0, size());
 }
@@ -32,7 +33,8 @@ template <int D> Local Bvh<D>::split(Local first, Local count) {
   for (Local k = first; k < first + count; ++k) {
     box.add(boxes_[items_[k]]);
     double c[D];
-    for (int i = 0; i < D; ++i) c[i] = center(items_[k], i);
+    for (int i = 0; i < D; ++i)
+      c[i] = center(items_[k], i);
     centers.add(c);
   }
   nodes_[id].box = box;
@@ -43,7 +45,8 @@ template <int D> Local Bvh<D>::split(Local first, Local count) {
   }
   int axis = 0;
   for (int i = 1; i < D; ++i)
-    if (centers.high[i] - centers.low[i] > centers.high[axis] - centers.low[axis]) axis = i;
+    if (centers.high[i] - centers.low[i] > centers.high[axis] - centers.low[axis])
+      axis = i;
   const Local half = count / 2;
   std::nth_element(items_.begin() + first, items_.begin() + first + half,
                    items_.begin() + first + count, [&](Local a, Local b) {
@@ -62,8 +65,10 @@ template <int D> void Bvh<D>::refit(const std::vector<Box<D>>& boxes) {
   boxes_ = boxes;
   for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
     node->box = Box<D>::empty();
-    for (Local k = node->first; k < node->first + node->count; ++k) node->box.add(boxes_[items_[k]]);
-    if (node->count > 0) continue;
+    for (Local k = node->first; k < node->first + node->count; ++k)
+      node->box.add(boxes_[items_[k]]);
+    if (node->count > 0)
+      continue;
     node->box.add(nodes_[node->left].box);
     node->box.add(nodes_[node->right].box);
   }
@@ -71,7 +76,8 @@ template <int D> void Bvh<D>::refit(const std::vector<Box<D>>& boxes) {
 
 template <int D> std::vector<Box<D>> Bvh<D>::summary(int levels) const {
   std::vector<Box<D>> result;
-  if (nodes_.empty()) return result;
+  if (nodes_.empty())
+    return result;
   std::vector<std::pair<Local, int>> open{{0, 0}};
   while (!open.empty()) {
     const auto [id, level] = open.back();

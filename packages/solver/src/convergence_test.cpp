@@ -51,8 +51,7 @@ void ConvergenceTest::record(const NOX::Solver::Generic& solver) {
   report.iteration = static_cast<int>(residuals_.size());
   report.residual = solver.getSolutionGroup().getNormF();
   // A body that moves without strain has no forces but those of rounding to compare with.
-  reference_ =
-      std::max(system_.reference_force(), system_.round_off_force() / options_.tolerance);
+  reference_ = std::max(system_.reference_force(), system_.round_off_force() / options_.tolerance);
   if (report.iteration == 0)
     first_reference_ = reference_;
   residuals_.push_back(report.residual);

@@ -17,9 +17,9 @@ struct Box {
   assembly::EquationSystem system;
 
   explicit Box(solid::MaterialModel model)
-      : mesh(make_mesh()), system(assembly::DofMap(mesh, {"x", "y", "z"},
-                                                   std::vector<char>(mesh.node.size(), 0)),
-                                  timers) {
+      : mesh(make_mesh()),
+        system(assembly::DofMap(mesh, {"x", "y", "z"}, std::vector<char>(mesh.node.size(), 0)),
+               timers) {
     solid::MaterialOptions material;
     material.model = model;
     material.young = 2.0;
@@ -42,7 +42,8 @@ struct Box {
     for (Local r = 0; r < system.dofs().num_rows(); ++r) {
       const double* x = &mesh.x[3 * std::size_t(system.dofs().node_of_row(r))];
       for (int i = 0; i < 3; ++i)
-        view(3 * std::size_t(r) + std::size_t(i), 0) = scale * std::sin(x[0] + 2 * x[1] * (i + 1) - x[2]);
+        view(3 * std::size_t(r) + std::size_t(i), 0) =
+            scale * std::sin(x[0] + 2 * x[1] * (i + 1) - x[2]);
     }
     return v;
   }
@@ -50,7 +51,8 @@ struct Box {
   bool on_boundary(Local node) const {
     for (int i = 0; i < 3; ++i) {
       const double x = mesh.x[3 * std::size_t(node) + std::size_t(i)];
-      if (std::fabs(x) < 1e-12 || std::fabs(x - 1.0) < 1e-12) return true;
+      if (std::fabs(x) < 1e-12 || std::fabs(x - 1.0) < 1e-12)
+        return true;
     }
     return false;
   }
@@ -102,8 +104,10 @@ TEST(EquationSystem, SameNormsOnAnyNumberOfRanks) {
     solid::MaterialOptions material;
     material.young = 2.0;
     material.poisson = 0.3;
-    system.add(std::make_shared<solid::SolidContribution>(whole, 0, solid::make_material(material)));
-    Vector xs(system.dofs().map()), vs(system.dofs().map()), fs(system.dofs().map()), ks(system.dofs().map());
+    system.add(
+        std::make_shared<solid::SolidContribution>(whole, 0, solid::make_material(material)));
+    Vector xs(system.dofs().map()), vs(system.dofs().map()), fs(system.dofs().map()),
+        ks(system.dofs().map());
     {
       const auto a = xs.getLocalViewHost(Tpetra::Access::OverwriteAll);
       const auto b = vs.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -136,7 +140,8 @@ TEST(EquationSystem, ConstrainedRowsAndColumnsHoldOnlyTheirDiagonal) {
   Vector e(matrix->getRowMap()), k(matrix->getRowMap());
   {
     const auto view = e.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = 0.0;
+    for (std::size_t i = 0; i < view.extent(0); ++i)
+      view(i, 0) = 0.0;
     for (const auto& c : constraints)
       view(3 * std::size_t(box.system.dofs().row_of_node(c.node)) + 1, 0) = 1.0;
   }
@@ -155,7 +160,9 @@ TEST(EquationSystem, ConstrainedRowsAndColumnsHoldOnlyTheirDiagonal) {
 // An affine displacement solves the linear problem: the predictor's equations must hold for it.
 TEST(EquationSystem, PredictorMovesTheInteriorWithTheBoundary) {
   Box box(solid::MaterialModel::linear_elastic);
-  const auto affine = [](const double* x, int i) { return 0.01 * x[0] + 0.02 * x[1] * (i + 1) - 0.005 * x[2]; };
+  const auto affine = [](const double* x, int i) {
+    return 0.01 * x[0] + 0.02 * x[1] * (i + 1) - 0.005 * x[2];
+  };
   std::vector<assembly::Constraint> constraints;
   Local interior = 0;
   for (Local n = 0; n < box.mesh.num_owned; ++n) {

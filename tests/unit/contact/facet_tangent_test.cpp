@@ -52,22 +52,27 @@ Scene make_scene(FaceType primary, FaceType secondary, double depth, double bulg
   face_nodes_in_plane(secondary, s.y);
   for (int a = 0; a < s.n1; ++a) {
     Vec3& x = s.x[a];
-    if (fem::is_triangle(primary)) x = {{2.0 * x[0] - 0.7, 2.0 * x[1] - 0.7, 0.0}};
+    if (fem::is_triangle(primary))
+      x = {{2.0 * x[0] - 0.7, 2.0 * x[1] - 0.7, 0.0}};
     x = {{x[1], x[0], 0.17 * x[0] - depth}}; // facing down, tilted
-    for (int i = 0; i < 3; ++i) x[i] += noise(random);
+    for (int i = 0; i < 3; ++i)
+      x[i] += noise(random);
   }
   for (int b = 0; b < s.n2; ++b) {
     Vec3& y = s.y[b];
-    if (fem::is_triangle(secondary)) y = {{2.4 * y[0] - 0.9, 2.4 * y[1] - 0.9, 0.0}};
+    if (fem::is_triangle(secondary))
+      y = {{2.4 * y[0] - 0.9, 2.4 * y[1] - 0.9, 0.0}};
     y[0] *= 1.3;
     y[2] = -bulge * (y[0] * y[0] + 0.5 * y[1] * y[1] + 0.3 * y[0] * y[1]);
-    for (int i = 0; i < 3; ++i) y[i] += noise(random);
+    for (int i = 0; i < 3; ++i)
+      y[i] += noise(random);
   }
   const double point[2] = {fem::is_triangle(primary) ? 0.35 : 0.1,
                            fem::is_triangle(primary) ? 0.3 : -0.15};
   fem::dispatch_face(primary, [&](auto f) { decltype(f)::values(point, s.N1); });
   Vec3 at = Vec3::zero();
-  for (int a = 0; a < s.n1; ++a) at += s.N1[a] * s.x[a];
+  for (int a = 0; a < s.n1; ++a)
+    at += s.N1[a] * s.x[a];
   double start[2];
   fem::dispatch_face(secondary, [&](auto f) { decltype(f)::center(start); });
   const search::Projection p = search::project(secondary, s.y, at, start);
@@ -88,7 +93,8 @@ void automatic(const Scene& s, double multiplier, double penalty, double weight,
       else
         y[p - s.n1][i] = Fad(54, 3 * p + i, s.y[p - s.n1][i]);
     }
-  for (int a = 0; a < s.n1; ++a) at += s.N1[a] * x[a];
+  for (int a = 0; a < s.n1; ++a)
+    at += s.N1[a] * x[a];
   Fad xi[2] = {Fad(s.xi[0]), Fad(s.xi[1])};
   for (int k = 0; k < 4; ++k) {
     fem::FacePoint<Fad> point;
@@ -100,7 +106,8 @@ void automatic(const Scene& s, double multiplier, double penalty, double weight,
   }
   const auto q = contact::facet_gap<Fad>(s.secondary, y, at, xi);
   const Fad t = contact::contact_pressure(multiplier, penalty, q.gap);
-  for (int i = 0; i < 3 * n; ++i) r[i] = 0.0;
+  for (int i = 0; i < 3 * n; ++i)
+    r[i] = 0.0;
   contact::facet_force(s.n1, s.N1, s.n2, q, weight, t, r);
 }
 
@@ -112,7 +119,8 @@ Result compare(const Scene& s, double multiplier, double penalty) {
   const int n = 3 * (s.n1 + s.n2);
   const double weight = 0.37;
   Vec3 at = Vec3::zero();
-  for (int a = 0; a < s.n1; ++a) at += s.N1[a] * s.x[a];
+  for (int a = 0; a < s.n1; ++a)
+    at += s.N1[a] * s.x[a];
   const auto q = contact::facet_gap<double>(s.secondary, s.y, at, s.xi);
   const double t = contact::contact_pressure(multiplier, penalty, q.gap);
   std::vector<double> k(std::size_t(n) * n, 0.0);
@@ -180,7 +188,8 @@ TEST(FacetTangent, OmittedCurvatureTermsWouldBeSeen) {
   // The same scene with kappa set to zero is wrong by far more than the tolerance above.
   const Scene s = make_scene(FaceType::quad4, FaceType::quad9, 0.5, 0.15, 2);
   Vec3 at = Vec3::zero();
-  for (int a = 0; a < s.n1; ++a) at += s.N1[a] * s.x[a];
+  for (int a = 0; a < s.n1; ++a)
+    at += s.N1[a] * s.x[a];
   auto q = contact::facet_gap<double>(s.secondary, s.y, at, s.xi);
   const double t = contact::contact_pressure(0.0, 100.0, q.gap);
   const int n = 3 * (s.n1 + s.n2);
@@ -199,7 +208,8 @@ TEST(FacetTangent, OmittedCurvatureTermsWouldBeSeen) {
 TEST(FacetTangent, RefusesTheCentreOfCurvature) {
   Vec3 y[9];
   face_nodes_in_plane(FaceType::quad9, y);
-  for (Vec3& v : y) v[2] = 0.25 * (v[0] * v[0] + v[1] * v[1]); // concave bowl, radius 2 at the bottom
+  for (Vec3& v : y)
+    v[2] = 0.25 * (v[0] * v[0] + v[1] * v[1]); // concave bowl, radius 2 at the bottom
   const double xi[2] = {0.0, 0.0}, N1[1] = {1.0};
   const auto q = contact::facet_gap<double>(FaceType::quad9, y, Vec3{{0.0, 0.0, 2.0}}, xi);
   EXPECT_NEAR(q.gap, 2.0, 1e-14);

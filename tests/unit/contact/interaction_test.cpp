@@ -41,8 +41,8 @@ double sphere_force(int n, bool sphere_is_primary, int points) {
   o.points = points;
   o.reach = 0.2 * n; // 0.24 in length: deeper than the sphere goes
   const double depth = 0.1, reach = 0.6;
-  auto sphere = grid_surface(n, n, -1, 1, -1, 1, true, 0,
-                             [&](double* x) { cap(x, reach, true, depth); });
+  auto sphere =
+      grid_surface(n, n, -1, 1, -1, 1, true, 0, [&](double* x) { cap(x, reach, true, depth); });
   const int m = sphere_is_primary ? 1 : n;
   auto plane = grid_surface(m, m, -0.6, 0.6, -0.6, 0.6, false, sphere.num_nodes(), {}, 100000);
   DenseSystem system(sphere.num_nodes() + plane.num_nodes(), 3);
@@ -67,7 +67,8 @@ TEST(Interaction, RigidSphereInPlaneSpherePrimary) {
 }
 
 TEST(Interaction, RigidSphereInPlanePlanePrimary) {
-  const double exact = pi * 0.1 * 0.1 * (1.0 - 0.1); // eps pi d^2 (R - d), closest point on the sphere
+  const double exact =
+      pi * 0.1 * 0.1 * (1.0 - 0.1); // eps pi d^2 (R - d), closest point on the sphere
   const double coarse = std::fabs(sphere_force(24, false, 4) / exact - 1.0);
   const double fine = std::fabs(sphere_force(72, false, 4) / exact - 1.0);
   EXPECT_LT(fine, 2e-3);
@@ -127,26 +128,32 @@ TEST(Interaction, ForcesBalanceAndPushApart) {
       sum[i] += system.residual[std::size_t(3 * a + i)];
       size += std::fabs(system.residual[std::size_t(3 * a + i)]);
     }
-  for (int a = 0; a < upper.num_nodes(); ++a) on_upper -= system.residual[std::size_t(3 * a + 2)];
+  for (int a = 0; a < upper.num_nodes(); ++a)
+    on_upper -= system.residual[std::size_t(3 * a + 2)];
   EXPECT_GT(on_upper, 0.05);
-  for (double s : sum) EXPECT_LT(std::fabs(s), 1e-13 * size);
+  for (double s : sum)
+    EXPECT_LT(std::fabs(s), 1e-13 * size);
   EXPECT_NEAR(pair.summary().force[2], on_upper, 1e-13);
 
   // The assembled tangent against central differences of the assembled residual.
   std::vector<double> direction(system.u.size());
-  for (std::size_t i = 0; i < direction.size(); ++i) direction[i] = std::sin(1.0 + 7.0 * double(i));
+  for (std::size_t i = 0; i < direction.size(); ++i)
+    direction[i] = std::sin(1.0 + 7.0 * double(i));
   const std::vector<double> k = system.tangent;
   const double h = 1e-6;
   std::vector<double> slope(direction.size());
   for (int side : {1, -1}) {
-    for (std::size_t i = 0; i < direction.size(); ++i) system.u[i] = side * h * direction[i];
+    for (std::size_t i = 0; i < direction.size(); ++i)
+      system.u[i] = side * h * direction[i];
     system.evaluate(pair, false);
-    for (std::size_t i = 0; i < slope.size(); ++i) slope[i] += side * system.residual[i] / (2 * h);
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      slope[i] += side * system.residual[i] / (2 * h);
   }
   double error = 0.0, norm = 0.0;
   for (std::size_t i = 0; i < slope.size(); ++i) {
     double kd = 0.0;
-    for (std::size_t j = 0; j < slope.size(); ++j) kd += k[i * slope.size() + j] * direction[j];
+    for (std::size_t j = 0; j < slope.size(); ++j)
+      kd += k[i * slope.size() + j] * direction[j];
     error += std::pow(kd - slope[i], 2);
     norm += slope[i] * slope[i];
   }
@@ -159,8 +166,9 @@ TEST(Interaction, PointsOverEdgesCountOnce) {
   for (double shift : {0.0, 1e-16, -1e-12, 0.25}) {
     contact::ContactOptions o = with_penalty(1.0);
     o.points = 1; // face centres
-    auto upper = grid_surface(4, 4, -0.5, 0.5, -0.5, 0.5, true, 0,
-                              [&](double* x) { x[0] += 0.125 + shift, x[1] += 0.125, x[2] = -0.01; });
+    auto upper = grid_surface(4, 4, -0.5, 0.5, -0.5, 0.5, true, 0, [&](double* x) {
+      x[0] += 0.125 + shift, x[1] += 0.125, x[2] = -0.01;
+    });
     auto lower = grid_surface(8, 8, -1, 1, -1, 1, false, upper.num_nodes(), {}, 1000);
     DenseSystem system(upper.num_nodes() + lower.num_nodes(), 3);
     contact::Interaction pair(Comm(MPI_COMM_WORLD), upper, lower, o, timers);
@@ -195,7 +203,8 @@ TEST(Interaction, AugmentationFollowsTheLaw) {
   EXPECT_NEAR(report.gap, 0.02, 1e-15);
   EXPECT_FALSE(report.converged);
   system.u[2] = 0.0;
-  for (int a = 0; a < 4; ++a) system.u[std::size_t(3 * a + 2)] = 0.02; // gap closed exactly
+  for (int a = 0; a < 4; ++a)
+    system.u[std::size_t(3 * a + 2)] = 0.02; // gap closed exactly
   system.evaluate(pair, false);
   EXPECT_NEAR(pair.summary().force[2], 0.1, 1e-15); // held by the multiplier alone
   report = pair.augmentation();

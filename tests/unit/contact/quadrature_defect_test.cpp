@@ -20,7 +20,8 @@ double defect(int n1, int n2, int points) {
   o.name = "strip";
   o.penalty = 1.0;
   o.points = points;
-  auto primary = abut_test::grid_surface(n1, 1, 0, 1, 0, 1, true, 0, [](double* x) { x[2] = -0.01; });
+  auto primary =
+      abut_test::grid_surface(n1, 1, 0, 1, 0, 1, true, 0, [](double* x) { x[2] = -0.01; });
   auto secondary = abut_test::grid_surface(n2, 1, 0, 1, 0, 1, false, primary.num_nodes(), {}, 1000);
   abut_test::DenseSystem system(primary.num_nodes() + secondary.num_nodes(), 3);
   contact::Interaction pair(Comm(MPI_COMM_WORLD), primary, secondary, o, timers);

@@ -12,7 +12,8 @@ TEST(Tensor, InverseAndDeterminant) {
   const Mat3 a = {{{2, 1, 0.5}, {-1, 3, 0.2}, {0.3, 0.7, 1.5}}};
   const Mat3 one = a * inverse(a, det(a));
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) EXPECT_NEAR(one[i][j], i == j, 1e-15);
+    for (int j = 0; j < 3; ++j)
+      EXPECT_NEAR(one[i][j], i == j, 1e-15);
   const Mat<double, 2> b = {{{2, 1}, {-1, 3}}};
   const auto two = b * inverse(b, det(b));
   EXPECT_NEAR(two[0][0], 1, 1e-15);

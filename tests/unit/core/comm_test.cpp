@@ -20,11 +20,13 @@ TEST(Comm, Reductions) {
 TEST(Comm, ExchangeSendsEachRankItsOwn) {
   const Comm comm(MPI_COMM_WORLD);
   std::vector<std::vector<int>> send(std::size_t(comm.size()));
-  for (int q = 0; q < comm.size(); ++q) send[std::size_t(q)].assign(std::size_t(q), 100 * comm.rank() + q);
+  for (int q = 0; q < comm.size(); ++q)
+    send[std::size_t(q)].assign(std::size_t(q), 100 * comm.rank() + q);
   const auto got = comm.exchange(send);
   for (int q = 0; q < comm.size(); ++q) {
     ASSERT_EQ(got[std::size_t(q)].size(), std::size_t(comm.rank()));
-    for (int v : got[std::size_t(q)]) EXPECT_EQ(v, 100 * q + comm.rank());
+    for (int v : got[std::size_t(q)])
+      EXPECT_EQ(v, 100 * q + comm.rank());
   }
   const auto all = comm.gather(std::vector<int>{comm.rank()});
   EXPECT_EQ(all.size(), comm.is_root() ? std::size_t(comm.size()) : 0u);
@@ -35,7 +37,8 @@ TEST(Comm, AnErrorOnOneRankReachesAll) {
   const int last = comm.size() - 1;
   try {
     comm.together([&] {
-      if (comm.rank() == last) throw InputError("from the last rank");
+      if (comm.rank() == last)
+        throw InputError("from the last rank");
     });
     FAIL();
   } catch (const InputError& e) {
@@ -44,7 +47,8 @@ TEST(Comm, AnErrorOnOneRankReachesAll) {
   EXPECT_THROW(comm.on_root([] { throw SolveError("root"); }), SolveError);
   // The user's mistake is reported before what follows from it.
   EXPECT_THROW(comm.together([&] {
-    if (comm.rank() == last) throw InputError("input");
+    if (comm.rank() == last)
+      throw InputError("input");
     throw SolveError("solve");
   }),
                InputError);

@@ -47,7 +47,8 @@ TEST(Bvh, FindsWhatBruteForceFindsAfterRefitToo) {
     for (const Box<3>& q : random_boxes(200, 2)) {
       std::set<Local> slow;
       for (Local i = 0; i < 2000; ++i)
-        if (boxes[i].overlaps(q)) slow.insert(i);
+        if (boxes[i].overlaps(q))
+          slow.insert(i);
       EXPECT_EQ(overlaps(tree, q), slow);
       hits += slow.size();
     }
@@ -65,7 +66,8 @@ TEST(Bvh, AgreesWithBoostRtree) {
   const auto convert = [](const Box<3>& b) {
     return BoostBox(Point(b.low[0], b.low[1], b.low[2]), Point(b.high[0], b.high[1], b.high[2]));
   };
-  for (Local i = 0; i < 1000; ++i) oracle.insert({convert(boxes[i]), i});
+  for (Local i = 0; i < 1000; ++i)
+    oracle.insert({convert(boxes[i]), i});
   Bvh<3> tree;
   tree.build(boxes);
   for (const Box<3>& q : random_boxes(100, 6)) {
@@ -84,7 +86,8 @@ TEST(Bvh, NearestByShrinkingRadius) {
     double best = 1e300, slow = 1e300;
     tree.traverse([&](const Box<3>& b) { return b.distance2(q.low) < best; },
                   [&](Local i) { best = std::min(best, boxes[i].distance2(q.low)); });
-    for (const Box<3>& b : boxes) slow = std::min(slow, b.distance2(q.low));
+    for (const Box<3>& b : boxes)
+      slow = std::min(slow, b.distance2(q.low));
     EXPECT_EQ(best, slow);
   }
 }
@@ -109,7 +112,8 @@ TEST(Bvh, SummaryCoversEverything) {
     bool covered = false;
     for (const Box<3>& s : summary) {
       bool in = true;
-      for (int i = 0; i < 3; ++i) in = in && b.low[i] >= s.low[i] && b.high[i] <= s.high[i];
+      for (int i = 0; i < 3; ++i)
+        in = in && b.low[i] >= s.low[i] && b.high[i] <= s.high[i];
       covered = covered || in;
     }
     EXPECT_TRUE(covered);

@@ -36,13 +36,16 @@ TEST(ClosestPoint, BeatsEverySampleOfTheFace) {
       EXPECT_LT(std::fabs(dot(x - at.x, at.tangent[1])), 1e-14);
       const bool interior =
           fem::dispatch_face(type, [&](auto shape) { return decltype(shape)::inside(p.xi, 0.0); });
-      if (!interior) continue;
+      if (!interior)
+        continue;
       ++checked;
       for (int i = 0; i <= 60; ++i)
         for (int j = 0; j <= 60; ++j) {
           double xi[2] = {i / 60.0, j / 60.0};
-          if (!fem::is_triangle(type)) xi[0] = 2 * xi[0] - 1, xi[1] = 2 * xi[1] - 1;
-          if (fem::is_triangle(type) && xi[0] + xi[1] > 1.0) continue;
+          if (!fem::is_triangle(type))
+            xi[0] = 2 * xi[0] - 1, xi[1] = 2 * xi[1] - 1;
+          if (fem::is_triangle(type) && xi[0] + xi[1] > 1.0)
+            continue;
           fem::FacePoint<double> sample;
           fem::face_point(type, y, xi, sample);
           EXPECT_GE(norm(x - sample.x), distance - 1e-12);
@@ -55,7 +58,8 @@ TEST(ClosestPoint, IndependentOfTheStart) {
   Vec3 y[4] = {{{-1, -1, 0.1}}, {{1.2, -1, -0.2}}, {{1, 1.1, 0.15}}, {{-1, 0.9, 0}}};
   const Vec3 x = {{0.3, -0.2, -0.3}};
   const double a[2] = {0, 0}, b[2] = {0.9, -0.9};
-  const auto p = search::project(FaceType::quad4, y, x, a), q = search::project(FaceType::quad4, y, x, b);
+  const auto p = search::project(FaceType::quad4, y, x, a),
+             q = search::project(FaceType::quad4, y, x, b);
   ASSERT_TRUE(p.converged && q.converged);
   EXPECT_NEAR(p.xi[0], q.xi[0], 1e-14);
   EXPECT_NEAR(p.xi[1], q.xi[1], 1e-14);

@@ -23,7 +23,8 @@ struct DenseSystem {
     std::vector<abut::Local> row(cells.nodes.begin(), cells.nodes.end());
     residual.assign(size, 0.0);
     c.residual(in, {fields, cells.offsets.data(), row.data(), residual.data()});
-    if (!with_tangent) return;
+    if (!with_tangent)
+      return;
     tangent.assign(size * size, 0.0);
     std::vector<std::int64_t> offset{0}, position;
     for (abut::Local i = 0; i < cells.cells(); ++i) {

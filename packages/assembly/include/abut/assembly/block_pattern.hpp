@@ -22,7 +22,7 @@ struct CellPositions {
 /// behind them, the shared rows: those that its cells touch but another rank owns. Shared values
 /// are sent to their owners and added there.
 class BlockPattern {
- public:
+public:
   explicit BlockPattern(const DofMap& dofs) : dofs_(dofs) {}
 
   /// Builds the pattern of all cells given. Collective.
@@ -44,7 +44,7 @@ class BlockPattern {
   /// Scalar graph of the owned rows; its values lie in the order of the owned values here.
   RCP<const Tpetra::CrsGraph<Local, Global, Node>> graph() const { return graph_; }
 
- private:
+private:
   struct Blocks; // (row, column) pairs in global block rows while building
   void number_columns(const Blocks& blocks);
   void build_graph();

@@ -12,7 +12,7 @@ namespace abut::assembly {
 /// Numbers the unknowns: every owned mesh node with unknowns is one block row of `fields` scalar
 /// rows. Block rows are contiguous per rank, in the order of the owned nodes.
 class DofMap {
- public:
+public:
   /// field_names: of the unknowns of a node, e.g. displacement_x, ..., in their order.
   /// without_unknowns: (N local nodes) nodes whose motion is prescribed (rigid obstacles).
   DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names,
@@ -35,7 +35,7 @@ class DofMap {
   /// Global block rows of global mesh nodes, -1 where a node has no unknowns. Collective.
   std::vector<Global> resolve(const std::vector<Global>& nodes) const;
 
- private:
+private:
   const mesh::Mesh& mesh_;
   std::vector<std::string> field_names_;
   std::vector<Global> first_row_; ///< (ranks+1)

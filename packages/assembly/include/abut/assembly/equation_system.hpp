@@ -25,7 +25,7 @@ using PrescribedMotion = std::function<void(double t, double* u)>;
 /// constrained. Rows of other ranks are assembled here and added at their owner.
 /// Every member but the accessors is collective; errors of contributions are thrown on all ranks.
 class EquationSystem {
- public:
+public:
   EquationSystem(DofMap dofs, PhaseTimers& timers);
   ~EquationSystem();
   EquationSystem(const EquationSystem&) = delete;
@@ -51,8 +51,8 @@ class EquationSystem {
 
   /// Norm of the forces in balance in the last residual (internal forces or what opposes them).
   double reference_force() const { return reference_force_; }
-  /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the last
-  /// tangent: a body that moves without strain has no other forces. [force]
+  /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the
+  /// last tangent: a body that moves without strain has no other forces. [force]
   double round_off_force() const { return round_off_force_; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
@@ -68,7 +68,7 @@ class EquationSystem {
   void accept(const Vector& x);
   void reject();
 
- private:
+private:
   struct Part;
   void prepare(const Vector& x);
   void update_pattern();

@@ -12,12 +12,13 @@ namespace abut::contact {
 /// The secondary faces that this rank's integration points may meet: its own and those of other
 /// ranks whose boxes come near. No rank ever holds the whole surface.
 class FacingSurface {
- public:
+public:
   /// own: the secondary faces that this rank owns. reach: see ContactOptions.
   FacingSurface(const Comm& comm, const mesh::Surface& own, double reach);
 
   /// Fetches the faces that come within `wanted` (boxes of this rank's primary faces, inflated by
-  /// what they need); each face counts with its own reach. x_own: (own nodes, 3) current. Collective.
+  /// what they need); each face counts with its own reach. x_own: (own nodes, 3) current.
+  /// Collective.
   void collect(const std::vector<double>& x_own, const std::vector<search::Box<3>>& wanted);
   /// Fetches the current coordinates of the nodes of the collected faces. Collective.
   void update(const std::vector<double>& x_own);
@@ -30,13 +31,13 @@ class FacingSurface {
   void coordinates(Local face, Vec3* y) const;
   /// Global mesh nodes of a face.
   void global_nodes(Local face, Global* nodes) const;
-  double size(Local face) const { return size_[face]; }       ///< reference size [length]
+  double size(Local face) const { return size_[face]; } ///< reference size [length]
   double largest_size() const { return largest_size_; } ///< of all faces here [length]
   double modulus(Local face) const { return modulus_[face]; }
   double inverse_depth(Local face) const { return inverse_depth_[face]; }
   const search::Bvh<3>& tree() const { return tree_; }
 
- private:
+private:
   struct Parcels;
   void pack(Local face, double size, std::size_t rank, std::vector<char>& taken, Parcels& out);
   void unpack(const Parcels& in);

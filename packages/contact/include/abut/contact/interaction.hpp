@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/contact/facing_surface.hpp"
 #include "abut/contact/facet_gap.hpp"
+#include "abut/contact/facing_surface.hpp"
 #include "abut/contact/options.hpp"
 #include "abut/core/contribution.hpp"
 #include "abut/core/log.hpp"
@@ -28,8 +28,8 @@ struct ContactSummary {
 
 /// What the next augmentation would do.
 struct Augmentation {
-  double change = 0.0; ///< relative change of the multipliers, L2 [1]
-  double gap = 0.0;    ///< largest penetration over face size [1]
+  double change = 0.0;    ///< relative change of the multipliers, L2 [1]
+  double gap = 0.0;       ///< largest penetration over face size [1]
   bool converged = false; ///< both tolerances hold
   bool stalled = false;   ///< the penetration has not fallen over several augmentations
 };
@@ -44,8 +44,9 @@ struct ClosedPoint {
 /// Weighted sums at the nodes of the primary faces of a rank; divide by weight after summing over
 /// ranks. One entry for each surface node of the primary surface.
 struct NodalSums {
-  std::vector<double> weight, pressure, gap, status; ///< status: 0 open, 1 slip, 2 stick (sum of weights)
-  std::vector<double> traction;                      ///< (nodes, 3)
+  std::vector<double> weight, pressure, gap,
+      status;                   ///< status: 0 open, 1 slip, 2 stick (sum of weights)
+  std::vector<double> traction; ///< (nodes, 3)
 };
 
 /// One integration point of a primary face: history and what the present configuration gives it.
@@ -67,7 +68,7 @@ struct PointState {
 /// Usable on its own: it takes surfaces, options and a communicator, and gives residual and tangent
 /// blocks over global node numbers. Kokkos must be initialised while it lives.
 class Interaction : public Contribution {
- public:
+public:
   /// Throws InputError when neither surface is deformable and no penalty is given, or a surface is
   /// empty. Collective.
   Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
@@ -89,7 +90,8 @@ class Interaction : public Contribution {
   /// How far the multipliers are from <lambda - eps gap> in the last prepared configuration.
   /// Collective.
   Augmentation augmentation() const;
-  /// lambda <- <lambda - eps gap> at every point. Collective. Prepare again before the next residual.
+  /// lambda <- <lambda - eps gap> at every point. Collective. Prepare again before the next
+  /// residual.
   void augment();
 
   ContactSummary summary() const; ///< Collective.
@@ -100,11 +102,11 @@ class Interaction : public Contribution {
   const std::vector<PointState>& points() const { return points_; } ///< (I,P)
   double softest_modulus() const { return softest_modulus_; }
 
-  /// Whether opposed normals were found for the points that have a partner within one face size when
-  /// facing is ignored: share of such points whose normals point the same way. Collective.
+  /// Whether opposed normals were found for the points that have a partner within one face size
+  /// when facing is ignored: share of such points whose normals point the same way. Collective.
   double wrong_facing_share() const;
 
- private:
+private:
   struct Pair {
     Local face, facing;
     std::vector<Local> points; ///< active
@@ -134,15 +136,15 @@ class Interaction : public Contribution {
   PhaseTimers& timers_;
   FacingSurface facing_;
   double softest_modulus_ = 0.0;
-  double slack_ = 0.0;                ///< motion after which faces are collected anew [length]
-  std::vector<double> size_;          ///< (primary faces) [length]
+  double slack_ = 0.0;       ///< motion after which faces are collected anew [length]
+  std::vector<double> size_; ///< (primary faces) [length]
   std::map<fem::FaceType, fem::Rule<2>> rules_;
   std::map<fem::FaceType, std::vector<double>> shapes_;
   std::vector<Local> first_point_{0};
   std::vector<PointState> points_;
-  std::vector<double> weight_;        ///< (I,P) quadrature weight times reference area [length^2]
-  std::vector<double> x_primary_, x_secondary_;             ///< current (nodes, 3)
-  bool collected_ = false; ///< on all ranks together
+  std::vector<double> weight_; ///< (I,P) quadrature weight times reference area [length^2]
+  std::vector<double> x_primary_, x_secondary_; ///< current (nodes, 3)
+  bool collected_ = false;                      ///< on all ranks together
   std::vector<double> x_primary_collected_, x_secondary_collected_;
   std::vector<Pair> pair_list_;
   Connectivity pairs_;

@@ -18,10 +18,10 @@ struct ContactOptions {
 
   double penalty_factor = 10.0; ///< f in eps = f E_n A / V, when penalty is 0 [1]
   double penalty = 0.0;         ///< eps itself, 0 means automatic [pressure/length]
-  int points = 0;               ///< integration points per direction; 0: 2 on linear faces, 3 on quadratic
+  int points = 0; ///< integration points per direction; 0: 2 on linear faces, 3 on quadratic
 
-  double reach = 3.0;               ///< how far a partner is sought, in sizes of the larger face [1]
-  double projection_margin = 0.01;  ///< how far outside a face a projection still counts [1]
+  double reach = 3.0;              ///< how far a partner is sought, in sizes of the larger face [1]
+  double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
 
   // Augmented Lagrangian: stop when both tolerances hold, at the plateau, or at the maximum.
   double multiplier_tolerance = 1e-2; ///< relative change of the multipliers [1]

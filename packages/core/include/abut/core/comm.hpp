@@ -14,7 +14,7 @@ namespace abut {
 /// A communicator passed in by the host, with the few collective operations that abut needs.
 /// Every member that is not const-trivial (sum, exchange, ...) is collective.
 class Comm {
- public:
+public:
   explicit Comm(MPI_Comm comm);
 
   int rank() const { return rank_; }
@@ -67,7 +67,8 @@ class Comm {
     send[0] = v;
     const auto received = exchange(send);
     std::vector<T> out;
-    for (const auto& part : received) out.insert(out.end(), part.begin(), part.end());
+    for (const auto& part : received)
+      out.insert(out.end(), part.begin(), part.end());
     return out;
   }
 
@@ -78,7 +79,7 @@ class Comm {
   /// Runs `work` on the root only; an exception there is thrown on all ranks.
   void on_root(const std::function<void()>& work) const;
 
- private:
+private:
   std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& send) const;
 
   MPI_Comm comm_;

@@ -38,7 +38,7 @@ struct Connectivity {
 /// A sum of small dense blocks over cells of a few nodes: the one thing that assembly knows of any
 /// physics (solid, contact, loads). Residuals have the sign of internal force minus external force.
 class Contribution {
- public:
+public:
   virtual ~Contribution() = default;
 
   virtual const char* name() const = 0;

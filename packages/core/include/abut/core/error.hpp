@@ -8,20 +8,20 @@ namespace abut {
 
 /// The user's input is wrong. The message names file, line, key, what was expected (exit status 2).
 class InputError : public std::runtime_error {
- public:
+public:
   using std::runtime_error::runtime_error;
 };
 
 /// A solve attempt failed (no convergence, inverted element, singular operator). Recoverable: the
 /// step is rolled back and tried again with a smaller increment.
 class SolveError : public std::runtime_error {
- public:
+public:
   using std::runtime_error::runtime_error;
 };
 
 /// A defect of abut itself (exit status 3).
 class Defect : public std::logic_error {
- public:
+public:
   using std::logic_error::logic_error;
 };
 
@@ -36,5 +36,6 @@ std::string nearest_word_hint(const std::string& word, const std::string* valid,
 /// Checks what must hold whatever the input; throws Defect.
 #define ABUT_REQUIRE(condition, message)                                                           \
   do {                                                                                             \
-    if (!(condition)) ::abut::throw_defect(#condition, __FILE__, __LINE__, (message));             \
+    if (!(condition))                                                                              \
+      ::abut::throw_defect(#condition, __FILE__, __LINE__, (message));                             \
   } while (false)

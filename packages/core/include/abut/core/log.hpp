@@ -12,7 +12,8 @@ enum class LogLevel { detail, info, warning };
 using LogSink = std::function<void(LogLevel, const std::string&)>;
 
 inline void log(const LogSink& sink, LogLevel level, const std::string& message) {
-  if (sink) sink(level, message);
+  if (sink)
+    sink(level, message);
 }
 
 } // namespace abut

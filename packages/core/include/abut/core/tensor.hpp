@@ -16,19 +16,23 @@ template <class T, int D> struct Vec {
 
   KOKKOS_INLINE_FUNCTION static Vec zero() {
     Vec r;
-    for (int i = 0; i < D; ++i) r.v[i] = T(0.0);
+    for (int i = 0; i < D; ++i)
+      r.v[i] = T(0.0);
     return r;
   }
   KOKKOS_INLINE_FUNCTION Vec& operator+=(const Vec& b) {
-    for (int i = 0; i < D; ++i) v[i] += b.v[i];
+    for (int i = 0; i < D; ++i)
+      v[i] += b.v[i];
     return *this;
   }
   KOKKOS_INLINE_FUNCTION Vec& operator-=(const Vec& b) {
-    for (int i = 0; i < D; ++i) v[i] -= b.v[i];
+    for (int i = 0; i < D; ++i)
+      v[i] -= b.v[i];
     return *this;
   }
   template <class S> KOKKOS_INLINE_FUNCTION Vec& operator*=(const S& s) {
-    for (int i = 0; i < D; ++i) v[i] *= s;
+    for (int i = 0; i < D; ++i)
+      v[i] *= s;
     return *this;
   }
 };
@@ -49,10 +53,10 @@ template <class T, int D> KOKKOS_INLINE_FUNCTION Vec<T, D> operator-(Vec<T, D> a
   return a *= -1.0;
 }
 
-template <class T, int D>
-KOKKOS_INLINE_FUNCTION T dot(const Vec<T, D>& a, const Vec<T, D>& b) {
+template <class T, int D> KOKKOS_INLINE_FUNCTION T dot(const Vec<T, D>& a, const Vec<T, D>& b) {
   T s = a[0] * b[0];
-  for (int i = 1; i < D; ++i) s += a[i] * b[i];
+  for (int i = 1; i < D; ++i)
+    s += a[i] * b[i];
   return s;
 }
 
@@ -61,8 +65,7 @@ template <class T, int D> KOKKOS_INLINE_FUNCTION T norm(const Vec<T, D>& a) {
   return sqrt(dot(a, a));
 }
 
-template <class T>
-KOKKOS_INLINE_FUNCTION Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
+template <class T> KOKKOS_INLINE_FUNCTION Vec<T, 3> cross(const Vec<T, 3>& a, const Vec<T, 3>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
@@ -76,12 +79,14 @@ template <class T, int D> struct Mat {
   KOKKOS_INLINE_FUNCTION static Mat zero() {
     Mat r;
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) r.m[i][j] = T(0.0);
+      for (int j = 0; j < D; ++j)
+        r.m[i][j] = T(0.0);
     return r;
   }
   KOKKOS_INLINE_FUNCTION static Mat identity() {
     Mat r = zero();
-    for (int i = 0; i < D; ++i) r.m[i][i] = T(1.0);
+    for (int i = 0; i < D; ++i)
+      r.m[i][i] = T(1.0);
     return r;
   }
 };
@@ -91,7 +96,8 @@ KOKKOS_INLINE_FUNCTION Mat<T, D> operator*(const Mat<T, D>& a, const Mat<T, D>& 
   Mat<T, D> r = Mat<T, D>::zero();
   for (int i = 0; i < D; ++i)
     for (int k = 0; k < D; ++k)
-      for (int j = 0; j < D; ++j) r[i][j] += a[i][k] * b[k][j];
+      for (int j = 0; j < D; ++j)
+        r[i][j] += a[i][k] * b[k][j];
   return r;
 }
 
@@ -99,14 +105,16 @@ template <class T, int D>
 KOKKOS_INLINE_FUNCTION Vec<T, D> operator*(const Mat<T, D>& a, const Vec<T, D>& b) {
   Vec<T, D> r = Vec<T, D>::zero();
   for (int i = 0; i < D; ++i)
-    for (int k = 0; k < D; ++k) r[i] += a[i][k] * b[k];
+    for (int k = 0; k < D; ++k)
+      r[i] += a[i][k] * b[k];
   return r;
 }
 
 template <class T, int D> KOKKOS_INLINE_FUNCTION Mat<T, D> transpose(const Mat<T, D>& a) {
   Mat<T, D> r;
   for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) r[i][j] = a[j][i];
+    for (int j = 0; j < D; ++j)
+      r[i][j] = a[j][i];
   return r;
 }
 

@@ -14,15 +14,15 @@ const char* phase_name(Phase phase);
 /// Seconds spent in each phase on this rank. Scopes may nest; an inner scope's time is taken off
 /// the outer one, so that the phases never count a second twice.
 class PhaseTimers {
- public:
+public:
   class Scope {
-   public:
+  public:
     Scope(PhaseTimers& timers, Phase phase);
     ~Scope();
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
-   private:
+  private:
     friend class PhaseTimers;
     PhaseTimers& timers_;
     Scope* outer_;
@@ -33,7 +33,7 @@ class PhaseTimers {
 
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
 
- private:
+private:
   std::array<double, phase_count> seconds_{};
   Scope* current_ = nullptr;
 };

@@ -10,9 +10,9 @@ namespace abut::fem {
 template <class T> struct FacePoint {
   T N[max_face_nodes];
   T dN[max_face_nodes][2];
-  Vec<T, 3> x;           ///< position [length]
-  Vec<T, 3> tangent[2];  ///< x,xi and x,eta
-  Vec<T, 3> second[3];   ///< x,xi xi; x,eta eta; x,xi eta
+  Vec<T, 3> x;          ///< position [length]
+  Vec<T, 3> tangent[2]; ///< x,xi and x,eta
+  Vec<T, 3> second[3];  ///< x,xi xi; x,eta eta; x,xi eta
 };
 
 /// Evaluates a face with nodes x (nodes) at xi. The nodes' scalar may be plainer than T.
@@ -30,8 +30,10 @@ KOKKOS_INLINE_FUNCTION void face_point(FaceType type, const Vec<S, 3>* x, const 
     for (int a = 0; a < Shape::nodes; ++a)
       for (int i = 0; i < 3; ++i) {
         p.x[i] += p.N[a] * x[a][i];
-        for (int k = 0; k < 2; ++k) p.tangent[k][i] += p.dN[a][k] * x[a][i];
-        for (int k = 0; k < 3; ++k) p.second[k][i] += d2N[a][k] * x[a][i];
+        for (int k = 0; k < 2; ++k)
+          p.tangent[k][i] += p.dN[a][k] * x[a][i];
+        for (int k = 0; k < 3; ++k)
+          p.second[k][i] += d2N[a][k] * x[a][i];
       }
   });
 }

@@ -11,7 +11,8 @@ template <int D> struct Box {
 
   KOKKOS_INLINE_FUNCTION static Box empty() {
     Box b;
-    for (int i = 0; i < D; ++i) b.low[i] = 1e300, b.high[i] = -1e300;
+    for (int i = 0; i < D; ++i)
+      b.low[i] = 1e300, b.high[i] = -1e300;
     return b;
   }
   KOKKOS_INLINE_FUNCTION void add(const double* x) {
@@ -27,11 +28,13 @@ template <int D> struct Box {
     }
   }
   KOKKOS_INLINE_FUNCTION void inflate(double r) {
-    for (int i = 0; i < D; ++i) low[i] -= r, high[i] += r;
+    for (int i = 0; i < D; ++i)
+      low[i] -= r, high[i] += r;
   }
   KOKKOS_INLINE_FUNCTION bool overlaps(const Box& b) const {
     for (int i = 0; i < D; ++i)
-      if (low[i] > b.high[i] || b.low[i] > high[i]) return false;
+      if (low[i] > b.high[i] || b.low[i] > high[i])
+        return false;
     return true;
   }
   /// Square of the distance from a point, 0 inside.
@@ -49,7 +52,8 @@ template <int D> struct Box {
     double t0 = -reach, t1 = reach;
     for (int i = 0; i < D; ++i) {
       if (direction[i] == 0.0) {
-        if (origin[i] < low[i] || origin[i] > high[i]) return false;
+        if (origin[i] < low[i] || origin[i] > high[i])
+          return false;
         continue;
       }
       const double a = (low[i] - origin[i]) / direction[i];

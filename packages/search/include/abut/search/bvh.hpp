@@ -11,7 +11,7 @@ namespace abut::search {
 /// Bounding volume hierarchy over boxes (of faces). Built once by median splits, refitted when the
 /// boxes move; queries visit every item whose box passes a test, in no promised order.
 template <int D> class Bvh {
- public:
+public:
   /// Builds the tree over the items' boxes.
   void build(const std::vector<Box<D>>& boxes);
   /// Fits the same tree to moved boxes (same count as in build).
@@ -22,18 +22,21 @@ template <int D> class Bvh {
   /// Boxes of the nodes `levels` below the root (or leaves above): a summary of the whole set.
   std::vector<Box<D>> summary(int levels) const;
 
-  /// Calls visit(item) for every item whose box passes `test(box)`; a node is skipped as soon as its
-  /// own box fails, so the test may sharpen as items are visited.
+  /// Calls visit(item) for every item whose box passes `test(box)`; a node is skipped as soon as
+  /// its own box fails, so the test may sharpen as items are visited.
   template <class Test, class Visit> void traverse(const Test& test, const Visit& visit) const {
-    if (items_.empty()) return;
+    if (items_.empty())
+      return;
     int stack[64], top = 0;
     stack[top++] = 0;
     while (top > 0) {
       const TreeNode& node = nodes_[stack[--top]];
-      if (!test(node.box)) continue;
+      if (!test(node.box))
+        continue;
       if (node.count > 0) {
         for (Local i = node.first; i < node.first + node.count; ++i)
-          if (test(boxes_[items_[i]])) visit(items_[i]);
+          if (test(boxes_[items_[i]]))
+            visit(items_[i]);
       } else {
         stack[top++] = node.right;
         stack[top++] = node.left;
@@ -41,7 +44,7 @@ template <int D> class Bvh {
     }
   }
 
- private:
+private:
   struct TreeNode {
     Box<D> box;
     Local first = 0, count = 0; ///< items of a leaf

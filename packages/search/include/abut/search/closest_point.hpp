@@ -11,9 +11,9 @@ struct Projection {
   bool converged; ///< xi is a stationary point of the distance; it may lie outside the face
 };
 
-/// One Newton step of (x - y(xi)) . y,a = 0 on any scalar; returns the step. Without `curvature` it is
-/// a Gauss-Newton step, which is safe far from the solution. With an AD scalar and xi
-/// at the solution, the step carries the derivatives of the projection.
+/// One Newton step of (x - y(xi)) . y,a = 0 on any scalar; returns the step. Without `curvature` it
+/// is a Gauss-Newton step, which is safe far from the solution. With an AD scalar and xi at the
+/// solution, the step carries the derivatives of the projection.
 template <class T>
 KOKKOS_INLINE_FUNCTION void projection_step(const fem::FacePoint<T>& p, const Vec<T, 3>& x,
                                             T step[2], bool curvature = true) {
@@ -43,7 +43,8 @@ KOKKOS_INLINE_FUNCTION Projection project(fem::FaceType type, const Vec3* y, con
     double step[2];
     projection_step(p, x, step, iteration > 0);
     const double size = std::sqrt(step[0] * step[0] + step[1] * step[1]);
-    if (iteration == 0 && size > far) return result; // well beside the face: not worth a search
+    if (iteration == 0 && size > far)
+      return result; // well beside the face: not worth a search
     const double scale = size > 0.7 ? 0.7 / size : 1.0;
     result.xi[0] += scale * step[0];
     result.xi[1] += scale * step[1];

@@ -19,7 +19,8 @@ struct MaterialOptions {
   double poisson = 0.0; ///< -1 < nu < 1/2
 };
 
-/// Motion of a rigid obstacle: displacement, then rotation vector about a point, each times a curve.
+/// Motion of a rigid obstacle: displacement, then rotation vector about a point, each times a
+/// curve.
 struct RigidMotion {
   std::array<double, 3> displacement{}; ///< [length]
   std::array<double, 3> rotation{};     ///< rotation vector [rad]
@@ -32,7 +33,7 @@ struct BodyOptions {
   std::vector<std::string> blocks;
   std::string material; ///< empty for a rigid body
   bool rigid = false;
-  RigidMotion motion;   ///< of a rigid body: prescribed, it has no unknowns
+  RigidMotion motion; ///< of a rigid body: prescribed, it has no unknowns
 };
 
 /// Displacement of the nodes of a set. components[i]: whether direction i is prescribed.

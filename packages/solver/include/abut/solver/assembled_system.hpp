@@ -10,7 +10,7 @@ namespace abut::solver {
 
 /// The assembled equations as Newton sees them.
 class AssembledSystem : public NonlinearSystem {
- public:
+public:
   /// The equations must outlive this object.
   explicit AssembledSystem(assembly::EquationSystem& equations);
 
@@ -29,7 +29,7 @@ class AssembledSystem : public NonlinearSystem {
   void accept(const Vector& x) override { equations_.accept(x); }
   void reject() override { equations_.reject(); }
 
- private:
+private:
   assembly::EquationSystem& equations_;
   std::vector<double> coordinates_; ///< (owned rows, 3)
 };
