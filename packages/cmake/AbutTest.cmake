@@ -30,7 +30,7 @@ endfunction()
 function(abut_test_properties test ranks label)
   set_tests_properties(${test} PROPERTIES
     LABELS "${label}" PROCESSORS ${ranks} TIMEOUT 600
-    ENVIRONMENT "OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_btl_base_warn_component_unused=0")
+    ENVIRONMENT "OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_base_warn_component_unused=0")
 endfunction()
 
 # abut_scene_test(NAME FILE file.py LABEL label [RANKS 1 2] [PROCESSORS n] [SECONDS n] [ARGUMENTS a ...])
