@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <cstdlib>
 #include <iostream>
 
 namespace {
@@ -53,6 +54,8 @@ int run(int argc, char** argv, const abut::Comm& comm) {
 } // namespace
 
 int main(int argc, char** argv) {
+  // Started alone, Open MPI would fork a daemon that nothing here needs and that may fail to start.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   int program_only = 1; // Kokkos would answer --help itself
   Tpetra::ScopeGuard scope(&program_only, &argv);
   const abut::Comm comm(MPI_COMM_WORLD);

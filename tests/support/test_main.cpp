@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Tpetra_Core.hpp>
+#include <cstdlib>
 #include <gtest/gtest.h>
 
 /// Runs GoogleTest under MPI; ranks other than the root print only failures.
 int main(int argc, char** argv) {
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); // see apps/abut/main.cpp
   Tpetra::ScopeGuard scope(&argc, &argv);
   ::testing::InitGoogleTest(&argc, argv);
   if (Tpetra::getDefaultComm()->getRank() != 0) {
