@@ -28,7 +28,8 @@ void judge(const contact::Interaction& c, int number, solver::AugmentReport& rep
     report.reason = fmt::format("{}: stopped at max_augmentations = {}", c.name(), number);
   } else if (a.stalled) {
     report.stalled = true;
-    report.reason = fmt::format("{}: penetration does not fall any more", c.name());
+    report.reason =
+        fmt::format("{}: neither multipliers nor penetration get better any more", c.name());
   } else {
     report.converged = report.converged && a.converged;
   }

@@ -29,6 +29,24 @@ private:
   bool active_;
 };
 
+/// What of a rigid body moves how. Collective.
+std::string explain_rigid(const Model& m, std::size_t body) {
+  const solid::BodyOptions& options = m.deck.bodies[body];
+  std::size_t index = 0;
+  while (m.rigid_bodies[index].name != options.name)
+    ++index;
+  Global nodes = 0;
+  for (Local n = 0; n < m.mesh->num_owned; ++n)
+    nodes += m.rigid_body_of_node[std::size_t(n)] == static_cast<int>(index);
+  std::string free;
+  for (std::size_t i = 0; i < 6; ++i)
+    if (options.motion.free[i])
+      free += std::string(" ") + (i < 3 ? "" : "r") + "xyz"[i % 3];
+  return fmt::format("{} nodes, {}", m.comm.sum(nodes),
+                     free.empty() ? "rigid obstacle with prescribed motion"
+                                  : "rigid body, free in" + free);
+}
+
 void explain_bodies(const Model& m, const Printer& print) {
   print("bodies:");
   for (std::size_t i = 0; i < m.deck.bodies.size(); ++i) {
@@ -46,7 +64,7 @@ void explain_bodies(const Model& m, const Printer& print) {
     for (const auto& [name, count] : types)
       kinds += fmt::format(" {} {}", count, name);
     print("  {}: {} elements ({} ), {}", body.name, elements, kinds,
-          body.rigid ? "rigid obstacle with prescribed motion" : "material " + body.material);
+          body.rigid ? explain_rigid(m, i) : "material " + body.material);
   }
   for (const auto& material : m.deck.materials)
     print("material {}: {}, Young {:g}, Poisson {:g}", material.name,
@@ -63,7 +81,9 @@ void explain_supports(const Model& m, const Printer& print) {
     std::string parts;
     for (std::size_t i = 0; i < 3; ++i)
       if (d.components[i])
-        parts += fmt::format(" {} = {:g}", "xyz"[i], d.values[i]);
+        parts += fmt::format(" {} = {}", "xyz"[i],
+                             d.values[i].function ? d.values[i].expression
+                                                  : fmt::format("{:g}", d.values[i].number));
     print("  {}: {} nodes of '{}',{}", d.name, m.comm.sum(nodes), d.set, parts);
   }
   const auto free = free_pieces(m);

@@ -11,6 +11,7 @@
 #include "rigid_motion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace abut::app {
@@ -64,6 +65,9 @@ void check_names(const Model& m) {
   for (const auto& b : deck.bodies)
     for (const std::string& block : b.blocks)
       require_name(deck, "bodies." + b.name + ".blocks", "block", block, blocks);
+  for (const auto& b : deck.bodies)
+    for (const std::string& set : b.node_sets)
+      require_name(deck, "bodies." + b.name + ".node_sets", "node set", set, node_sets);
   for (const auto& d : deck.displacements)
     require_name(deck, "displacements." + d.name + ".set", "node set or side set", d.set, sets);
   for (const auto& l : deck.loads) {
@@ -80,7 +84,8 @@ void check_names(const Model& m) {
     require_name(deck, "contact." + c.name + ".secondary", "side set", c.secondary, side_sets);
   }
   for (const auto& v : deck.verify)
-    if (!deck::is_contact_quantity(v.quantity) && !v.place.empty())
+    if (!deck::is_contact_quantity(v.quantity) && !deck::is_rigid_quantity(v.quantity) &&
+        !v.place.empty())
       require_name(deck, "verify." + v.name + ".place", "node set or side set", v.place, sets);
 }
 
@@ -110,21 +115,39 @@ void assign_bodies(Model& m) {
                        "' of the mesh belongs to no body");
 }
 
+/// The curve of an entry; empty when it names none.
+std::function<double(double)> given_curve(const deck::Deck& deck, const std::string& name) {
+  if (name.empty())
+    return {};
+  return deck.curve(name);
+}
+
+/// value(t) of an amount at a place, computed once for each t.
+std::function<double(double)> history(const solid::Amount& amount, const Vec3& position,
+                                      const std::function<double(double)>& curve) {
+  return [=, last = std::numeric_limits<double>::quiet_NaN(), value = 0.0](double t) mutable {
+    if (t != last)
+      value = amount.at(position, t, curve);
+    last = t;
+    return value;
+  };
+}
+
 std::vector<assembly::Constraint> make_constraints(const Model& m) {
   std::vector<assembly::Constraint> result;
   std::map<std::pair<Local, int>, std::string> given;
   for (const auto& d : m.deck.displacements) {
-    const deck::Curve curve = m.deck.curve(d.curve);
+    const auto curve = given_curve(m.deck, d.curve);
     for (Local n : nodes_of_set(*m.mesh, d.set)) {
       if (n >= m.mesh->num_owned)
         continue;
       for (int i = 0; i < 3; ++i) {
         if (!d.components[std::size_t(i)])
           continue;
-        const double value = d.values[std::size_t(i)];
         if (!given.try_emplace({n, i}, d.name).second)
           continue; // the first one named holds
-        result.push_back({n, i, [curve, value](double t) { return value * curve(t); }});
+        const double* x = m.mesh->x.data() + 3 * std::size_t(n);
+        result.push_back({n, i, history(d.values[std::size_t(i)], {{x[0], x[1], x[2]}}, curve)});
       }
     }
   }
@@ -141,8 +164,8 @@ void check_conflicts(const Model& m) {
           continue;
         const auto [it, is_new] = given.try_emplace({n, i}, &d);
         const auto& other = *it->second;
-        const double a = d.values[std::size_t(i)], b = other.values[std::size_t(i)];
-        if (is_new || (a == b && (a == 0.0 || d.curve == other.curve)))
+        const solid::Amount &a = d.values[std::size_t(i)], &b = other.values[std::size_t(i)];
+        if (is_new || (a == b && (a == solid::Amount() || d.curve == other.curve)))
           continue;
         throw InputError(m.deck.where("displacements." + d.name) + ": node " +
                          std::to_string(m.mesh->node_id[n]) + " has its " + "xyz"[i] +
@@ -162,18 +185,38 @@ void add_contact(Model& m, const contact::ContactOptions& options) {
     s.inverse_depth = stiffness.inverse_depth;
     return s;
   };
-  try {
+  const auto add = [&](const contact::ContactOptions& pass, double share) {
     m.contacts.push_back(std::make_shared<contact::Interaction>(
-        m.comm, surface(options.primary), surface(options.secondary), options, m.timers));
+        m.comm, surface(pass.primary), surface(pass.secondary), pass, m.timers, share));
+    contact::Interaction& contact = *m.contacts.back();
+    const auto factor = [&](const std::string& curve) -> std::function<double(double)> {
+      if (curve.empty())
+        return {};
+      return m.deck.curve(curve);
+    };
+    contact.set_schedules(factor(pass.penalty_curve), factor(pass.friction_curve));
+    contact.set_end(m.deck.time.end);
+  };
+  try {
+    add(options, options.two_pass ? 0.5 : 1.0);
+    if (!options.two_pass)
+      return;
+    contact::ContactOptions second = options;
+    std::swap(second.primary, second.secondary);
+    second.name += "_second_pass";
+    add(second, 0.5);
   } catch (const InputError& e) {
     throw InputError(m.deck.where("contact." + options.name) + ": " + e.what());
   }
 }
 
 void add_equations(Model& m) {
+  assembly::RigidNodes rigid{m.rigid_body_of_node, {}};
+  for (const auto& body : m.rigid_bodies)
+    rigid.has_unknowns.push_back(body.has_unknowns());
   m.equations = std::make_unique<assembly::EquationSystem>(
       assembly::DofMap(*m.mesh, {"displacement_x", "displacement_y", "displacement_z"},
-                       m.without_unknowns),
+                       std::vector<char>(m.mesh->node.size(), 0), rigid),
       m.timers);
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
     if (!m.material[b])
@@ -184,11 +227,11 @@ void add_equations(Model& m) {
   }
   for (const auto& load : m.deck.loads)
     m.equations->add(
-        std::make_shared<solid::LoadContribution>(*m.mesh, load, m.deck.curve(load.curve)));
+        std::make_shared<solid::LoadContribution>(*m.mesh, load, given_curve(m.deck, load.curve)));
   for (const auto& contact : m.contacts)
     m.equations->add(contact);
   m.equations->set_constraints(m.constraints);
-  m.equations->set_motion(rigid_motion(m));
+  m.equations->set_rigid_bodies(m.rigid_bodies);
 }
 
 } // namespace
@@ -224,7 +267,8 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
   } catch (const InputError& e) {
     throw InputError(m->deck.where("mesh") + ": " + e.what());
   }
-  m->without_unknowns = rigid_nodes(*m);
+  m->rigid_bodies = rigid_bodies(*m);
+  m->rigid_body_of_node = rigid_nodes(*m);
   m->constraints = make_constraints(*m);
   for (const auto& options : m->deck.contact)
     add_contact(*m, options);

@@ -26,7 +26,8 @@ struct Model {
   std::unique_ptr<mesh::Mesh> mesh;
   std::vector<int> body_of_block;                       ///< index in deck.bodies
   std::vector<std::optional<solid::Material>> material; ///< per block; none: rigid
-  std::vector<char> without_unknowns;                   ///< (N) nodes that move with a rigid body
+  std::vector<assembly::RigidBody> rigid_bodies;        ///< in the order of the deck
+  std::vector<int> rigid_body_of_node; ///< (N) index of the rigid body it moves with, or -1
   std::vector<assembly::Constraint> constraints;
   std::vector<std::shared_ptr<solid::SolidContribution>> solids;
   std::vector<std::shared_ptr<contact::Interaction>> contacts;

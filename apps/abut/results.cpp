@@ -8,6 +8,27 @@
 
 namespace abut::app {
 
+namespace {
+
+Energy energy(const Model& m, const State& s) {
+  Energy e;
+  const assembly::ExternalWork& work = m.equations->external_work();
+  e.work_in = work.loads + work.supports;
+  const NodalFields fields{s.u.data(), 3, s.time};
+  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b)
+    if (m.material[b])
+      e.stored += solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields)
+                      .total_energy();
+  e.stored = m.comm.sum(e.stored);
+  for (const auto& c : s.contacts) {
+    e.penalty += c.penalty_energy;
+    e.friction += c.dissipation;
+  }
+  return e;
+}
+
+} // namespace
+
 State make_state(const Model& m, const Vector& x, double time, const solver::Counters& counters) {
   State s;
   s.time = time;
@@ -16,8 +37,24 @@ State make_state(const Model& m, const Vector& x, double time, const solver::Cou
   s.reaction = m.equations->raw_residual();
   for (const auto& contact : m.contacts)
     s.contacts.push_back(contact->summary());
+  s.rigid_bodies = m.equations->rigid_body_states();
+  s.energy = energy(m, s);
   return s;
 }
+
+namespace {
+
+struct RigidQuantity {
+  const char* name;
+  const Vec3 assembly::RigidBodyState::*values;
+};
+constexpr RigidQuantity rigid_quantities[] = {
+    {"_displacement", &assembly::RigidBodyState::displacement},
+    {"_rotation", &assembly::RigidBodyState::rotation},
+    {"_force", &assembly::RigidBodyState::force},
+    {"_moment", &assembly::RigidBodyState::moment}};
+
+} // namespace
 
 io::ResultNames result_names(const Model& m) {
   io::ResultNames names;
@@ -26,10 +63,16 @@ io::ResultNames result_names(const Model& m) {
                  "contact_traction_y", "contact_traction_z", "contact_status"};
   names.element = {"stress_xx", "stress_yy", "stress_zz", "stress_xy",
                    "stress_yz", "stress_xz", "von_mises", "energy"};
-  names.global = {"steps", "newton_iterations", "augmentations", "cut_backs"};
+  names.global = {"steps",          "newton_iterations", "augmentations",
+                  "cut_backs",      "work_in",           "energy_stored",
+                  "energy_penalty", "energy_friction",   "energy_imbalance"};
   for (const auto& c : m.contacts)
     for (const char* i : {"_force_x", "_force_y", "_force_z"})
       names.global.push_back(std::string(c->name()) + i);
+  for (const auto& body : m.rigid_bodies)
+    for (const RigidQuantity& q : rigid_quantities)
+      for (const char* i : {"_x", "_y", "_z"})
+        names.global.push_back(body.name + q.name + i);
   return names;
 }
 
@@ -75,7 +118,7 @@ ContactFields contact_fields(const Model& m) {
       continue;
     f.pressure[n] /= weight[n];
     f.gap[n] /= weight[n];
-    f.status[n] = f.status[n] > 0.0 ? 1.0 : 0.0; // frictionless contact slips
+    f.status[n] = f.status[n] <= 0.0 ? 0.0 : f.status[n] < 1.5 * weight[n] ? 1.0 : 2.0;
     for (std::size_t i = 0; i < 3; ++i)
       f.traction[3 * n + i] /= weight[n];
   }
@@ -121,10 +164,21 @@ io::ResultStep result_step(const Model& m, const State& s) {
   step.nodal[4] = contact.gap;
   step.nodal[8] = contact.status;
   add_element_fields(m, s, step);
-  step.global = {double(s.counters.steps), double(s.counters.newton_iterations),
-                 double(s.counters.augmentations), double(s.counters.cut_backs)};
+  step.global = {double(s.counters.steps),
+                 double(s.counters.newton_iterations),
+                 double(s.counters.augmentations),
+                 double(s.counters.cut_backs),
+                 s.energy.work_in,
+                 s.energy.stored,
+                 s.energy.penalty,
+                 s.energy.friction,
+                 s.energy.imbalance()};
   for (const auto& c : s.contacts)
     step.global.insert(step.global.end(), c.force.begin(), c.force.end());
+  for (const auto& body : s.rigid_bodies)
+    for (const RigidQuantity& q : rigid_quantities)
+      for (int i = 0; i < 3; ++i)
+        step.global.push_back((body.*q.values)[i]);
   return step;
 }
 

@@ -12,6 +12,15 @@
 
 namespace abut::app {
 
+/// Where the work of a run went, from its start [energy]. Closes to second order in the step.
+struct Energy {
+  double work_in = 0.0;  ///< by loads, supports and the motion of rigid bodies
+  double stored = 0.0;   ///< strain energy
+  double penalty = 0.0;  ///< in the springs of contact; 0 once multipliers have converged
+  double friction = 0.0; ///< dissipated
+  double imbalance() const { return work_in - stored - penalty - friction; }
+};
+
 /// What is known of the last converged step.
 struct State {
   double time = 0.0;
@@ -19,6 +28,8 @@ struct State {
   std::vector<double> u;        ///< (N, 3) displacement of local nodes
   std::vector<double> reaction; ///< (owned rows, 3) force of supports on the body
   std::vector<contact::ContactSummary> contacts;
+  Energy energy;
+  std::vector<assembly::RigidBodyState> rigid_bodies; ///< of Model::rigid_bodies
 };
 
 /// Collective. The equations must have been evaluated at x.

@@ -1,99 +1,130 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rigid_motion.hpp"
 
-#include "abut/core/tensor.hpp"
+#include "abut/core/error.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace abut::app {
 
 namespace {
 
-/// Index of the rigid body of each local node, -1: none. Where two meet, the one named first holds.
-std::vector<double> body_of_node(const Model& m) {
-  std::vector<double> body(m.mesh->node.size(), -1.0);
-  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
-    const int i = m.body_of_block[b];
-    if (!m.deck.bodies[std::size_t(i)].rigid)
-      continue;
-    for (Local n : m.mesh->blocks[b].nodes)
-      if (body[n] < 0.0 || body[n] > i)
-        body[n] = i;
-  }
-  return body;
+/// Options of the rigid bodies, in the order of the deck.
+std::vector<const solid::BodyOptions*> rigid_options(const Model& m) {
+  std::vector<const solid::BodyOptions*> rigid;
+  for (const auto& body : m.deck.bodies)
+    if (body.rigid)
+      rigid.push_back(&body);
+  return rigid;
 }
 
-/// body_of_node with what only other ranks' elements tell.
-std::vector<double> agreed_body_of_node(const Model& m) {
+class Assignment {
+public:
+  explicit Assignment(const Model& m)
+      : m_(m), rigid_(rigid_options(m)), body_(m.mesh->node.size(), -1) {}
+
+  void blocks_and_sets() {
+    for (std::size_t b = 0; b < m_.mesh->blocks.size(); ++b) {
+      const auto& options = m_.deck.bodies[std::size_t(m_.body_of_block[b])];
+      const auto found = std::find(rigid_.begin(), rigid_.end(), &options);
+      for (Local n : m_.mesh->blocks[b].nodes)
+        if (found != rigid_.end())
+          assign(n, static_cast<int>(found - rigid_.begin()));
+    }
+    for (std::size_t i = 0; i < rigid_.size(); ++i)
+      for (const std::string& set : rigid_[i]->node_sets)
+        for (Local n : m_.mesh->node_sets.at(set))
+          assign(n, static_cast<int>(i));
+  }
+
   struct Entry {
     Global node;
-    double body;
+    int body;
   };
-  const mesh::Mesh& mesh = *m.mesh;
-  std::vector<double> body = body_of_node(m);
-  std::vector<std::vector<Entry>> up(static_cast<std::size_t>(mesh.comm.size()));
-  for (Local n = mesh.num_owned; n < mesh.num_local(); ++n)
-    if (body[n] >= 0.0)
-      up[static_cast<std::size_t>(mesh.owner(mesh.node[n]))].push_back({mesh.node[n], body[n]});
-  const Global first = mesh.first_node[static_cast<std::size_t>(mesh.comm.rank())];
-  for (const auto& list : mesh.comm.exchange(up))
-    for (const Entry& e : list) {
-      double& mine = body[static_cast<std::size_t>(e.node - first)];
-      if (mine < 0.0 || mine > e.body)
-        mine = e.body;
-    }
-  mesh::GhostExchange(mesh).update(body.data(), 1);
-  return body;
-}
+  /// What this rank knows of nodes that others own.
+  std::vector<std::vector<Entry>> for_owners() const {
+    const mesh::Mesh& mesh = *m_.mesh;
+    std::vector<std::vector<Entry>> up(static_cast<std::size_t>(mesh.comm.size()));
+    for (Local n = mesh.num_owned; n < mesh.num_local(); ++n)
+      if (body_[n] >= 0)
+        up[static_cast<std::size_t>(mesh.owner(mesh.node[n]))].push_back({mesh.node[n], body_[n]});
+    return up;
+  }
+  void receive(const std::vector<std::vector<Entry>>& lists) {
+    const Global first = m_.mesh->first_node[static_cast<std::size_t>(m_.mesh->comm.rank())];
+    for (const auto& list : lists)
+      for (const Entry& e : list)
+        assign(static_cast<Local>(e.node - first), e.body);
+  }
 
-/// Rotation by the vector w (Rodrigues).
-Mat3 rotation(const Vec3& w) {
-  const double angle = norm(w);
-  Mat3 r = Mat3::identity();
-  if (angle == 0.0)
-    return r;
-  const Vec3 k = (1.0 / angle) * w;
-  const Mat3 skew = {{{0, -k[2], k[1]}, {k[2], 0, -k[0]}, {-k[1], k[0], 0}}};
-  const Mat3 square = skew * skew;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      r[i][j] += std::sin(angle) * skew[i][j] + (1.0 - std::cos(angle)) * square[i][j];
-  return r;
-}
+  void check_displacements() const {
+    for (const auto& d : m_.deck.displacements)
+      for (Local n : nodes_of_set(*m_.mesh, d.set))
+        if (body_[n] >= 0)
+          throw InputError(m_.deck.where("displacements." + d.name) + ": node " +
+                           std::to_string(m_.mesh->node_id[n]) + " moves with rigid body '" +
+                           name(body_[n]) + "', which alone prescribes it");
+  }
+
+  std::vector<int> take() {
+    std::vector<double> values(body_.begin(), body_.end());
+    mesh::GhostExchange(*m_.mesh).update(values.data(), 1);
+    for (std::size_t n = 0; n < values.size(); ++n)
+      body_[n] = static_cast<int>(values[n]);
+    return body_;
+  }
+
+private:
+  const std::string& name(int body) const { return rigid_[std::size_t(body)]->name; }
+
+  void assign(Local n, int body) {
+    int& mine = body_[std::size_t(n)];
+    if (mine >= 0 && mine != body)
+      throw InputError(m_.deck.where("bodies." + name(std::max(mine, body))) + ": node " +
+                       std::to_string(m_.mesh->node_id[n]) + " already belongs to rigid body '" +
+                       name(std::min(mine, body)) + "'");
+    mine = body;
+  }
+
+  const Model& m_;
+  std::vector<const solid::BodyOptions*> rigid_;
+  std::vector<int> body_;
+};
 
 } // namespace
 
-std::vector<char> rigid_nodes(const Model& m) {
-  std::vector<char> flags;
-  for (double b : agreed_body_of_node(m))
-    flags.push_back(b >= 0.0);
-  return flags;
+std::vector<int> rigid_nodes(const Model& m) {
+  Assignment nodes(m);
+  m.comm.together([&] { nodes.blocks_and_sets(); });
+  const auto received = m.comm.exchange(nodes.for_owners());
+  m.comm.together([&] { nodes.receive(received); });
+  const std::vector<int> body = nodes.take();
+  m.comm.together([&] { nodes.check_displacements(); });
+  return body;
 }
 
-assembly::PrescribedMotion rigid_motion(const Model& m) {
-  std::vector<deck::Curve> curves;
-  for (const auto& body : m.deck.bodies)
-    curves.push_back(m.deck.curve(body.motion.curve));
-  return [&m, curves, body = agreed_body_of_node(m)](double t, double* u) {
-    std::vector<Mat3> turns;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      const auto& w = m.deck.bodies[i].motion.rotation;
-      turns.push_back(rotation(curves[i](t) * Vec3{{w[0], w[1], w[2]}}));
+std::vector<assembly::RigidBody> rigid_bodies(const Model& m) {
+  std::vector<assembly::RigidBody> result;
+  for (const solid::BodyOptions* options : rigid_options(m)) {
+    const solid::RigidMotion& motion = options->motion;
+    assembly::RigidBody body;
+    body.name = options->name;
+    const deck::Curve curve = m.deck.curve(motion.curve);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double value = i < 3 ? motion.displacement[i] : motion.rotation[i - 3];
+      if (!motion.free[i])
+        body.prescribed[i] = [curve, value](double t) { return value * curve(t); };
     }
-    for (std::size_t n = 0; n < body.size(); ++n) {
-      if (body[n] < 0.0)
-        continue;
-      const auto i = static_cast<std::size_t>(body[n]);
-      const solid::RigidMotion& motion = m.deck.bodies[i].motion;
-      Vec3 arm;
-      for (int k = 0; k < 3; ++k)
-        arm[k] = m.mesh->x[3 * n + std::size_t(k)] - motion.center[std::size_t(k)];
-      const Vec3 turned = turns[i] * arm;
-      for (int k = 0; k < 3; ++k)
-        u[3 * n + std::size_t(k)] =
-            turned[k] - arm[k] + curves[i](t) * motion.displacement[std::size_t(k)];
+    for (int i = 0; i < 3; ++i) {
+      body.center[i] = motion.center[std::size_t(i)];
+      body.force[i] = motion.force[std::size_t(i)];
+      body.moment[i] = motion.moment[std::size_t(i)];
     }
-  };
+    body.load_factor = m.deck.curve(motion.load_curve);
+    body.follower = motion.follower;
+    result.push_back(std::move(body));
+  }
+  return result;
 }
 
 } // namespace abut::app

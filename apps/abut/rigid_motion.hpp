@@ -5,11 +5,13 @@
 
 namespace abut::app {
 
-/// (N) local nodes that belong to a block of a rigid body on any rank: they carry no unknowns, and
-/// deformable elements that share them are fixed to the obstacle. Collective.
-std::vector<char> rigid_nodes(const Model& model);
+/// (N) the rigid body of each local node as an index into rigid_bodies(), -1: none. A node belongs
+/// to it by a block on any rank or by a node set; deformable elements that share it are clamped to
+/// the body. Throws InputError for a node of two bodies and for one that `displacements` prescribe.
+/// Collective.
+std::vector<int> rigid_nodes(const Model& model);
 
-/// Motion of all rigid bodies: u = R(curve rotation)(X - c) + c - X + curve displacement.
-assembly::PrescribedMotion rigid_motion(const Model& model);
+/// The rigid bodies of the deck in its order, as equations know them.
+std::vector<assembly::RigidBody> rigid_bodies(const Model& model);
 
 } // namespace abut::app

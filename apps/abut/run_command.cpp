@@ -2,10 +2,12 @@
 #include "run_command.hpp"
 
 #include "augmentation.hpp"
+#include "points_file.hpp"
 #include "progress.hpp"
 #include "results.hpp"
 #include "summary.hpp"
 #include "supports.hpp"
+#include "tangent_check.hpp"
 #include "verify.hpp"
 
 #include "abut/core/error.hpp"
@@ -16,6 +18,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 namespace abut::app {
 
@@ -84,17 +87,26 @@ int run(const RunOptions& options) {
 
   State state = make_state(m, x, 0.0, {});
   io::ResultWriter writer(stem, *m.mesh, result_names(m), m.deck.output.files);
+  std::optional<PointsFile> points;
+  if (m.deck.output.points)
+    points.emplace(m, stem);
+  long long augmentations = 0; // of the last step
   const auto write = [&] {
     const PhaseTimers::Scope scope(m.timers, Phase::output);
     writer.write_step(result_step(m, state));
+    if (points)
+      points->write(state.time, augmentations);
   };
   write();
   double written = 0.0;
 
   solver::NewtonSolver newton(*linear, m.deck.newton, m.deck.linear.tolerance);
-  solver::AugmentedLagrangian loop(newton, make_augmentation(m, [&](int n, const auto& report) {
-                                     progress.augmentation(n, report);
-                                   }));
+  auto augment =
+      make_augmentation(m, [&](int n, const auto& report) { progress.augmentation(n, report); });
+  if (m.deck.check == deck::ModelCheck::tangent)
+    augment = with_tangent_check(m, std::move(augment),
+                                 [&](const std::string& text) { progress.line(text); });
+  solver::AugmentedLagrangian loop(newton, std::move(augment));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
   solver::Counters counters;
   const auto on_step = [&](const solver::StepReport& report, const Vector& at) {
@@ -103,6 +115,7 @@ int run(const RunOptions& options) {
     counters.augmentations += report.augmentations;
     counters.cut_backs += report.cuts;
     state = make_state(m, at, report.t, counters);
+    augmentations = report.augmentations;
     Global active = 0;
     double ratio = 0.0;
     for (const auto& c : state.contacts) {
@@ -118,6 +131,10 @@ int run(const RunOptions& options) {
   const solver::LoadResult result =
       stepping.run(system, x, on_step, [&](const auto& report) { progress.iteration(report); });
   state.counters = result.counters;
+  if (!result.converged) { // what is written below is the state of the last converged step
+    system.set_time(result.t);
+    system.residual(x, f);
+  }
   if (state.time > written)
     write();
 

@@ -19,6 +19,18 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+const char* formulation_name(contact::Formulation formulation) {
+  switch (formulation) {
+  case contact::Formulation::node_on_facet:
+    return "node_on_facet";
+  case contact::Formulation::facet_on_facet:
+    return "facet_on_facet";
+  case contact::Formulation::sliding_elastic:
+    return "sliding_elastic";
+  }
+  throw Defect("a formulation without a name");
+}
+
 Json contact_json(const Model& m, const State& s) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
@@ -26,15 +38,33 @@ Json contact_json(const Model& m, const State& s) {
     const bool augmented =
         m.contacts[i]->options().enforcement == contact::Enforcement::augmented_lagrangian;
     all[m.contacts[i]->name()] = {
-        {"formulation", "facet_on_facet"},
+        {"formulation", formulation_name(m.contacts[i]->options().formulation)},
         {"enforcement", augmented ? "augmented_lagrangian" : "penalty"},
         {"active_points", c.active_points},
-        {"stick_points", 0},
-        {"slip_points", c.active_points},
+        {"stick_points", c.stick_points},
+        {"slip_points", c.slip_points},
         {"force", c.force},
         {"max_pressure", c.max_pressure},
         {"max_penetration", c.max_penetration},
-        {"max_penetration_over_face_size", c.max_penetration_over_face_size}};
+        {"max_penetration_over_face_size", c.max_penetration_over_face_size},
+        {"max_slip", c.max_slip},
+        {"flips", c.flips},
+        {"friction_dissipation", c.dissipation},
+        {"penalty_energy", c.penalty_energy},
+        {"initial_overlap", c.initial_overlap}};
+  }
+  return all;
+}
+
+Json rigid_json(const Model& m, const State& s) {
+  Json all = Json::object();
+  const auto list = [](const Vec3& v) { return Json{v[0], v[1], v[2]}; };
+  for (std::size_t i = 0; i < s.rigid_bodies.size(); ++i) {
+    const assembly::RigidBodyState& body = s.rigid_bodies[i];
+    all[m.rigid_bodies[i].name] = {{"displacement", list(body.displacement)},
+                                   {"rotation", list(body.rotation)},
+                                   {"force", list(body.force)},
+                                   {"moment", list(body.moment)}};
   }
   return all;
 }
@@ -62,7 +92,15 @@ void write_summary(const Model& m, const State& s, const RunFacts& facts,
                {"phase_seconds", phases},
                {"peak_memory_mb", memory},
                {"contact", contact_json(m, s)},
+               {"energy",
+                {{"work_in", s.energy.work_in},
+                 {"stored", s.energy.stored},
+                 {"penalty", s.energy.penalty},
+                 {"friction", s.energy.friction},
+                 {"imbalance", s.energy.imbalance()}}},
                {"verify", Json::array()}};
+  if (!m.rigid_bodies.empty())
+    json["rigid_bodies"] = rigid_json(m, s);
   for (const Verdict& v : verdicts)
     json["verify"].push_back({{"name", v.name},
                               {"value", v.value},

@@ -83,7 +83,19 @@ double reaction(const Model& m, const State& s, const VerifyOptions& v, std::siz
   return m.comm.sum(sum);
 }
 
+double rigid_value(const Model& m, const State& s, const VerifyOptions& v) {
+  std::size_t b = 0;
+  while (v.place != m.rigid_bodies[b].name)
+    ++b;
+  const assembly::RigidBodyState& body = s.rigid_bodies[b];
+  const int k = static_cast<int>(v.quantity) - static_cast<int>(Quantity::rigid_displacement_x);
+  const Vec3* values[] = {&body.displacement, &body.rotation, &body.force, &body.moment};
+  return (*values[k / 3])[k % 3];
+}
+
 double value_of(const Model& m, const State& s, const VerifyOptions& v) {
+  if (deck::is_rigid_quantity(v.quantity))
+    return rigid_value(m, s, v);
   std::size_t c = 0;
   while (c < m.contacts.size() && v.place != m.contacts[c]->name())
     ++c;
@@ -101,6 +113,14 @@ double value_of(const Model& m, const State& s, const VerifyOptions& v) {
     return contact->max_penetration;
   case Quantity::active_points:
     return double(contact->active_points);
+  case Quantity::stick_points:
+    return double(contact->stick_points);
+  case Quantity::slip_points:
+    return double(contact->slip_points);
+  case Quantity::max_slip:
+    return contact->max_slip;
+  case Quantity::friction_dissipation:
+    return contact->dissipation;
   case Quantity::contact_radius:
     return contact_radius(m, s);
   case Quantity::displacement_x:
@@ -117,6 +137,8 @@ double value_of(const Model& m, const State& s, const VerifyOptions& v) {
     return reaction(m, s, v, 2);
   case Quantity::newton_iterations:
     return double(s.counters.newton_iterations);
+  default:
+    break;
   }
   throw Defect("a quantity of 'verify' without a value");
 }

@@ -15,14 +15,16 @@ NODAL = ["displacement_x", "displacement_y", "displacement_z", "contact_pressure
          "contact_traction_x", "contact_traction_y", "contact_traction_z", "contact_status"]
 ELEMENT = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_xz", "von_mises",
            "energy"]
-GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "pair_force_x", "pair_force_y",
+GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in", "energy_stored", "energy_penalty",
+          "energy_friction", "energy_imbalance", "pair_force_x", "pair_force_y",
           "pair_force_z"]
 SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "newton_iterations", "augmentations",
            "linear_iterations", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
-           "contact", "verify"]
+           "contact", "energy", "verify"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
-           "max_pressure", "max_penetration", "max_penetration_over_face_size"]
+           "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",
+           "friction_dissipation", "penalty_energy", "initial_overlap"]
 
 DECK = {
     "title": "Two blocks",

@@ -5,6 +5,7 @@
 #include "abut/core/trilinos.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace abut::assembly {
 
@@ -13,7 +14,7 @@ using Block = std::pair<Global, Global>;
 struct BlockPattern::Blocks {
   std::vector<Block> owned, shared;
   std::vector<Global> nodes; ///< distinct mesh nodes of the cells
-  std::vector<Global> rows;  ///< their global block rows
+  std::vector<Global> rows;  ///< their global block rows, as DofMap::resolve gives them
 };
 
 namespace {
@@ -23,19 +24,32 @@ void sort_unique(std::vector<Block>& blocks) {
   blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
 }
 
+/// Appends the block rows of a node: its own, both of the body it moves with, or none.
+void append_rows(const DofMap& dofs, Global resolved, std::vector<Global>& rows) {
+  if (resolved >= 0)
+    rows.push_back(resolved);
+  if (resolved >= -1)
+    return;
+  const Global row = dofs.row_of_body(static_cast<int>(-2 - resolved));
+  if (row >= 0)
+    rows.insert(rows.end(), {row, row + 1});
+}
+
 /// Neighbours of each owned or shared row, as sorted distinct pairs, from the cells of this rank.
-void local_blocks(const std::vector<const Connectivity*>& all,
-                  const std::unordered_map<Global, Global>& row_of, Global first, Global end,
-                  std::vector<Block>& owned, std::vector<Block>& shared) {
+void local_blocks(const DofMap& dofs, const std::vector<const Connectivity*>& all,
+                  const std::unordered_map<Global, Global>& row_of, std::vector<Block>& owned,
+                  std::vector<Block>& shared) {
+  const Global first = dofs.first_row(), end = first + dofs.num_rows();
   std::vector<Global> rows;
   std::size_t limit = std::size_t(1) << 24; // keeps memory near that of the distinct pairs
   for (const Connectivity* cells : all)
     for (Local c = 0; c < cells->cells(); ++c) {
       rows.clear();
-      for (Local s = cells->offsets[c]; s < cells->offsets[c + 1]; ++s) {
-        const Global r = row_of.at(cells->nodes[s]);
-        if (r >= 0)
-          rows.push_back(r);
+      for (Local s = cells->offsets[c]; s < cells->offsets[c + 1]; ++s)
+        append_rows(dofs, row_of.at(cells->nodes[s]), rows);
+      if (dofs.num_bodies() > 0) { // many nodes may share the rows of one body
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
       }
       for (Global r : rows) {
         auto& list = r >= first && r < end ? owned : shared;
@@ -66,7 +80,7 @@ void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
   for (std::size_t i = 0; i < b.nodes.size(); ++i)
     row_of[b.nodes[i]] = b.rows[i];
 
-  local_blocks(cells, row_of, first, end, b.owned, b.shared);
+  local_blocks(dofs_, cells, row_of, b.owned, b.shared);
   std::vector<std::vector<Global>> send(static_cast<std::size_t>(comm.size()));
   for (const Block& p : b.shared) {
     auto& list = send[static_cast<std::size_t>(dofs_.owner_of_row(p.first))];
@@ -78,9 +92,17 @@ void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
       b.owned.emplace_back(list[i], list[i + 1]);
   for (Global r = first; r < end; ++r)
     b.owned.emplace_back(r, r);
+  for (int body = 0; body < dofs_.num_bodies(); ++body) {
+    const Global r = dofs_.row_of_body(body);
+    if (r < first || r >= end)
+      continue;
+    b.owned.emplace_back(r, r + 1);
+    b.owned.emplace_back(r + 1, r);
+  }
   sort_unique(b.owned);
 
   number_columns(b);
+  number_rigid_nodes(b);
   plan_exchange();
   build_graph();
   ++version_;
@@ -96,7 +118,10 @@ void BlockPattern::number_columns(const Blocks& b) {
   };
   for (const Block& p : b.owned)
     note(p.second);
+  std::vector<Global> rows;
   for (Global r : b.rows)
+    append_rows(dofs_, r, rows);
+  for (Global r : rows)
     note(r);
   std::sort(ghosts.begin(), ghosts.end());
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
@@ -116,6 +141,14 @@ void BlockPattern::number_columns(const Blocks& b) {
   column_of_node_.clear();
   for (std::size_t i = 0; i < b.nodes.size(); ++i)
     column_of_node_[b.nodes[i]] = column(b.rows[i]);
+  body_column_.assign(2 * static_cast<std::size_t>(dofs_.num_bodies()), -1);
+  for (int body = 0; body < dofs_.num_bodies(); ++body) {
+    const Global r = dofs_.row_of_body(body);
+    const bool here = r >= first && r < end;
+    if (r >= 0 && (here || std::binary_search(ghosts.begin(), ghosts.end(), r)))
+      for (std::size_t i = 0; i < 2; ++i)
+        body_column_[2 * std::size_t(body) + i] = column(r + static_cast<Global>(i));
+  }
 
   row_offset_.assign(1, 0);
   columns_.clear();
@@ -142,6 +175,39 @@ void BlockPattern::number_columns(const Blocks& b) {
     row_length_[r] = static_cast<Local>(row_offset_[r + 1] - row_offset_[r]) * dofs_.fields();
 }
 
+/// Local block row of a global one, owned or shared; -1 when no cell of this rank touches it.
+Local BlockPattern::local_row(Global row) const {
+  const Global first = dofs_.first_row();
+  if (row >= first && row < first + dofs_.num_rows())
+    return static_cast<Local>(row - first);
+  const auto shared = row_of_shared_.find(row);
+  return shared == row_of_shared_.end() ? -1 : shared->second;
+}
+
+void BlockPattern::number_rigid_nodes(const Blocks& b) {
+  std::vector<Global> nodes;
+  rigid_nodes_.body.clear();
+  for (std::size_t i = 0; i < b.nodes.size(); ++i)
+    if (b.rows[i] < -1) {
+      column_of_node_[b.nodes[i]] = -2 - static_cast<Local>(nodes.size());
+      nodes.push_back(b.nodes[i]);
+      rigid_nodes_.body.push_back(static_cast<Local>(-2 - b.rows[i]));
+    }
+  if (dofs_.num_bodies() > 0)
+    rigid_nodes_.x = dofs_.coordinates(nodes);
+  body_row_.assign(2 * static_cast<std::size_t>(dofs_.num_bodies()), -1);
+  for (int body = 0; body < dofs_.num_bodies(); ++body)
+    if (dofs_.row_of_body(body) >= 0)
+      for (std::size_t i = 0; i < 2; ++i)
+        body_row_[2 * std::size_t(body) + i] =
+            local_row(dofs_.row_of_body(body) + static_cast<Global>(i));
+}
+
+std::int64_t BlockPattern::body_block(int body, int i, int j) const {
+  const std::size_t first = 2 * static_cast<std::size_t>(body);
+  return position(body_row_[first + std::size_t(i)], body_column_[first + std::size_t(j)]);
+}
+
 std::int64_t BlockPattern::num_values() const {
   return static_cast<std::int64_t>(columns_.size()) * dofs_.fields() * dofs_.fields();
 }
@@ -166,6 +232,7 @@ bool BlockPattern::locate(const Connectivity& cells, CellPositions& out) const {
   out.row.resize(cells.nodes.size());
   out.block_offset.assign(1, 0);
   out.block_position.clear();
+  out.rigid_block.clear();
   std::vector<Local> column;
   for (Local c = 0; c < cells.cells(); ++c) {
     const Local first = cells.offsets[c], n = cells.size(c);
@@ -185,17 +252,37 @@ bool BlockPattern::locate(const Connectivity& cells, CellPositions& out) const {
       out.row[first + a] = row;
     }
     for (Local a = 0; a < n; ++a)
-      for (Local b = 0; b < n; ++b) {
-        std::int64_t p = -1;
-        if (column[a] >= 0 && column[b] >= 0) {
-          p = position(out.row[first + a], column[b]);
-          if (p < 0)
-            return false;
-        }
-        out.block_position.push_back(p);
-      }
+      for (Local b = 0; b < n; ++b)
+        if (!locate_block(out.row[first + a], column[b], out))
+          return false;
     out.block_offset.push_back(static_cast<std::int64_t>(out.block_position.size()));
   }
+  return true;
+}
+
+/// Appends the position of one block of a cell; false when it lies outside the pattern.
+bool BlockPattern::locate_block(Local row, Local column, CellPositions& out) const {
+  std::int64_t p = -1;
+  if (row >= 0 && column >= 0) {
+    p = position(row, column);
+    if (p < 0)
+      return false;
+  } else if (row != -1 && column != -1) {
+    const auto both = [&](Local local, const std::vector<Local>& of_body) {
+      if (local >= 0)
+        return std::array<Local, 2>{local, -1};
+      const auto body = static_cast<std::size_t>(rigid_nodes_.body[-2 - local]);
+      return std::array<Local, 2>{of_body[2 * body], of_body[2 * body + 1]};
+    };
+    p = -2 - static_cast<std::int64_t>(out.rigid_block.size() / 4);
+    for (Local r : both(row, body_row_))
+      for (Local c : both(column, body_column_)) {
+        out.rigid_block.push_back(r < 0 || c < 0 ? -1 : position(r, c));
+        if (r >= 0 && c >= 0 && out.rigid_block.back() < 0)
+          return false;
+      }
+  }
+  out.block_position.push_back(p);
   return true;
 }
 

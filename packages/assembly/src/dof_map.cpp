@@ -5,25 +5,75 @@
 #include "abut/core/trilinos.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace abut::assembly {
 
+namespace {
+
+/// What the owners of global nodes answer, in the order of the nodes. answer: T of (local node).
+template <class T, class Answer>
+std::vector<T> ask_owners(const mesh::Mesh& mesh, const std::vector<Global>& nodes,
+                          const Answer& answer) {
+  const auto ranks = static_cast<std::size_t>(mesh.comm.size());
+  const Global first_node = mesh.first_node[static_cast<std::size_t>(mesh.comm.rank())];
+  std::vector<std::vector<Global>> ask(ranks);
+  for (Global n : nodes)
+    ask[static_cast<std::size_t>(mesh.owner(n))].push_back(n);
+  std::vector<std::vector<T>> reply(ranks);
+  const auto asked = mesh.comm.exchange(ask);
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (Global n : asked[r])
+      reply[r].push_back(answer(static_cast<Local>(n - first_node)));
+  reply = mesh.comm.exchange(reply);
+  std::vector<std::size_t> next(ranks, 0);
+  std::vector<T> result;
+  result.reserve(nodes.size());
+  for (Global n : nodes) {
+    const auto r = static_cast<std::size_t>(mesh.owner(n));
+    result.push_back(reply[r][next[r]++]);
+  }
+  return result;
+}
+
+} // namespace
+
 DofMap::DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names,
-               const std::vector<char>& without_unknowns)
-    : mesh_(mesh), field_names_(std::move(field_names)) {
+               const std::vector<char>& without_unknowns, RigidNodes rigid)
+    : mesh_(mesh), field_names_(std::move(field_names)), rigid_(std::move(rigid)) {
   ABUT_REQUIRE(static_cast<Local>(without_unknowns.size()) == mesh.num_local(),
                "one flag for each local node");
+  ABUT_REQUIRE(rigid_.body.empty() || static_cast<Local>(rigid_.body.size()) == mesh.num_local(),
+               "one rigid body or none for each local node");
+  ABUT_REQUIRE(num_bodies() == 0 || (fields() == 3 && mesh.dim == 3),
+               "rigid bodies move in space with the three displacements");
   row_of_node_.assign(static_cast<std::size_t>(mesh.num_owned), -1);
   for (Local n = 0; n < mesh.num_owned; ++n) {
-    if (without_unknowns[n])
+    if (without_unknowns[n] || body_of_node(n) >= 0)
       continue;
-    row_of_node_[n] = num_rows();
+    row_of_node_[n] = num_node_rows();
     node_of_row_.push_back(n);
   }
+  // Bodies go round the ranks. Only whoever knows all row counts can number them.
+  num_rows_ = num_node_rows();
+  row_of_body_.assign(rigid_.has_unknowns.size(), -1);
+  for (int b = 0; b < num_bodies(); ++b)
+    if (rigid_.has_unknowns[b] && b % mesh.comm.size() == mesh.comm.rank())
+      num_rows_ += 2;
   const auto counts = mesh.comm.all_gather(Global(num_rows()));
+  const auto node_counts = mesh.comm.all_gather(Global(num_node_rows()));
   first_row_.assign(1, 0);
   for (Global c : counts)
     first_row_.push_back(first_row_.back() + c);
+  std::vector<Global> next;
+  for (std::size_t r = 0; r < node_counts.size(); ++r)
+    next.push_back(first_row_[r] + node_counts[r]);
+  for (int b = 0; b < num_bodies(); ++b)
+    if (rigid_.has_unknowns[b]) {
+      Global& row = next[static_cast<std::size_t>(b % mesh.comm.size())];
+      row_of_body_[b] = row;
+      row += 2;
+    }
   map_ = rcp(new Map(static_cast<Tpetra::global_size_t>(num_global_rows() * fields()),
                      static_cast<std::size_t>(num_rows()) * static_cast<std::size_t>(fields()), 0,
                      teuchos_comm(mesh.comm)));
@@ -35,28 +85,25 @@ int DofMap::owner_of_row(Global row) const {
 }
 
 std::vector<Global> DofMap::resolve(const std::vector<Global>& nodes) const {
-  const auto ranks = static_cast<std::size_t>(mesh_.comm.size());
-  const Global first_node = mesh_.first_node[static_cast<std::size_t>(mesh_.comm.rank())];
-  const auto row_of = [&](Global node) -> Global {
-    const Local row = row_of_node_[static_cast<std::size_t>(node - first_node)];
+  return ask_owners<Global>(mesh_, nodes, [&](Local node) -> Global {
+    const int body = body_of_node(node);
+    if (body >= 0)
+      return -2 - body;
+    const Local row = row_of_node_[node];
     return row < 0 ? -1 : first_row() + row;
-  };
-  std::vector<std::vector<Global>> ask(ranks);
-  for (Global n : nodes)
-    ask[static_cast<std::size_t>(mesh_.owner(n))].push_back(n);
-  auto answer = mesh_.comm.exchange(ask);
-  for (auto& list : answer)
-    for (Global& n : list)
-      n = row_of(n);
-  answer = mesh_.comm.exchange(answer);
-  std::vector<std::size_t> next(ranks, 0);
-  std::vector<Global> rows;
-  rows.reserve(nodes.size());
-  for (Global n : nodes) {
-    const auto r = static_cast<std::size_t>(mesh_.owner(n));
-    rows.push_back(answer[r][next[r]++]);
-  }
-  return rows;
+  });
+}
+
+std::vector<double> DofMap::coordinates(const std::vector<Global>& nodes) const {
+  using Point = std::array<double, 3>;
+  const auto points = ask_owners<Point>(mesh_, nodes, [&](Local node) {
+    const double* x = &mesh_.x[3 * static_cast<std::size_t>(node)];
+    return Point{x[0], x[1], x[2]};
+  });
+  std::vector<double> result;
+  for (const Point& p : points)
+    result.insert(result.end(), p.begin(), p.end());
+  return result;
 }
 
 } // namespace abut::assembly

@@ -3,6 +3,8 @@
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
+#include "rigid_bodies.hpp"
+#include "system_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +16,12 @@ namespace {
 constexpr double round_off = 1e-14; ///< some 50 units in the last place of the unknowns
 } // namespace
 
-struct EquationSystem::Part {
-  std::shared_ptr<Contribution> contribution;
-  CellPositions positions;
-  long connectivity_version = -1;
-  long pattern_version = -1;
-};
-
 EquationSystem::EquationSystem(DofMap dofs, PhaseTimers& timers)
     : dofs_(std::move(dofs)), timers_(timers), ghosts_(dofs_.mesh()), pattern_(dofs_),
-      constrained_(static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields(), 0) {}
+      constrained_(static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields(), 0) {
+  if (dofs_.num_bodies() == 0)
+    rigid_ = std::make_unique<RigidBodies>(dofs_, std::vector<RigidBody>{});
+}
 
 EquationSystem::~EquationSystem() = default;
 
@@ -33,19 +31,28 @@ void EquationSystem::add(std::shared_ptr<Contribution> contribution) {
 }
 
 void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
-  constraints_ = std::move(constraints);
-  std::fill(constrained_.begin(), constrained_.end(), 0);
-  for (const Constraint& c : constraints_) {
+  constraints_.clear();
+  for (Constraint& c : constraints) {
     const Local row = dofs_.row_of_node(c.node);
     if (row >= 0)
-      constrained_[static_cast<std::size_t>(row * dofs_.fields() + c.field)] = 1;
+      constraints_.push_back({row * dofs_.fields() + c.field, std::move(c.value)});
   }
-  matrix_ = Teuchos::null;
+  mark_constrained();
 }
 
-void EquationSystem::set_motion(PrescribedMotion motion) {
-  motion_ = std::move(motion);
+void EquationSystem::set_rigid_bodies(std::vector<RigidBody> bodies) {
+  rigid_ = std::make_unique<RigidBodies>(dofs_, std::move(bodies));
+  body_constraints_ = rigid_->constraints();
+  mark_constrained();
   prepared_ = false;
+}
+
+void EquationSystem::mark_constrained() {
+  std::fill(constrained_.begin(), constrained_.end(), 0);
+  for (const auto* list : {&constraints_, &body_constraints_})
+    for (const RowConstraint& c : *list)
+      constrained_[static_cast<std::size_t>(c.row)] = 1;
+  matrix_ = Teuchos::null;
 }
 
 void EquationSystem::set_time(double t) {
@@ -54,8 +61,9 @@ void EquationSystem::set_time(double t) {
 }
 
 bool EquationSystem::symmetric() const {
-  return std::all_of(parts_.begin(), parts_.end(),
-                     [](const Part& p) { return p.contribution->symmetric(); });
+  return rigid_->symmetric() && std::all_of(parts_.begin(), parts_.end(), [](const Part& p) {
+           return p.contribution->symmetric();
+         });
 }
 
 NodalFields EquationSystem::fields() const {
@@ -65,22 +73,39 @@ NodalFields EquationSystem::fields() const {
 std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
   const int f = dofs_.fields();
   std::vector<double> u(static_cast<std::size_t>(dofs_.mesh().num_local()) * f, 0.0);
-  if (motion_)
-    motion_(time_, u.data());
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (Local r = 0; r < dofs_.num_rows(); ++r)
+  for (Local r = 0; r < dofs_.num_node_rows(); ++r)
     for (int d = 0; d < f; ++d)
       u[static_cast<std::size_t>(dofs_.node_of_row(r)) * f + d] = view(std::size_t(r) * f + d, 0);
   ghosts_.update(u.data(), f);
+  if (!rigid_->empty())
+    rigid_->displace(rigid_->place(x, time_), u.data());
   return u;
+}
+
+std::vector<double> EquationSystem::row_coordinates() const {
+  const mesh::Mesh& mesh = dofs_.mesh();
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  std::vector<double> x(3 * static_cast<std::size_t>(dofs_.num_rows()), 0.0);
+  for (Local r = 0; r < dofs_.num_node_rows(); ++r)
+    std::copy_n(&mesh.x[static_cast<std::size_t>(dofs_.node_of_row(r)) * dim], dim,
+                &x[3 * static_cast<std::size_t>(r)]);
+  rigid_->put_centers(x.data());
+  return x;
+}
+
+std::vector<RigidBodyState> EquationSystem::rigid_body_states() const {
+  return rigid_->states(time_);
 }
 
 /// Search, pairs and pattern for x; nothing to do when neither x nor the time changed.
 void EquationSystem::prepare(const Vector& x) {
   const Comm& comm = dofs_.mesh().comm;
   std::vector<double> u = nodal_values(x);
+  std::vector<Placement> placements = rigid_->place(x, time_);
   const bool same = prepared_ && u.size() == u_.size() &&
-                    std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0;
+                    std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
+                    rigid_->stands_at(placements);
   if (!comm.any(!same))
     return;
   for (double v : u)
@@ -92,6 +117,8 @@ void EquationSystem::prepare(const Vector& x) {
     throw SolveError("an unknown is not a finite number");
   u_ = std::move(u);
   prepared_ = false;
+  forces_known_ = false;
+  rigid_->move(std::move(placements));
   comm.together([&] {
     for (Part& p : parts_) {
       const PhaseTimers::Scope scope(timers_, p.contribution->phase());
@@ -99,6 +126,7 @@ void EquationSystem::prepare(const Vector& x) {
     }
   });
   update_pattern();
+  rigid_->follow(pattern_);
   prepared_ = true;
 }
 
@@ -129,32 +157,54 @@ void EquationSystem::update_pattern() {
   ABUT_REQUIRE(locate(), "a cell lies outside the pattern that was built from it");
 }
 
+ResidualScatter EquationSystem::residual_scatter(const Part& p, std::vector<double>& buffer) {
+  ResidualScatter scatter;
+  scatter.fields = dofs_.fields();
+  scatter.cell_offset = p.contribution->connectivity().offsets.data();
+  scatter.row = p.positions.row.data();
+  scatter.values = buffer.data();
+  scatter.rigid = rigid_->scatter(p.positions);
+  return scatter;
+}
+
+/// Adds what all contributions of one kind exert to the rows of this rank, owned and shared.
+void EquationSystem::assemble_residual(bool internal, std::vector<double>& buffer) {
+  dofs_.mesh().comm.together([&] {
+    for (Part& p : parts_) {
+      if (p.contribution->internal_force() != internal)
+        continue;
+      const PhaseTimers::Scope scope(timers_, p.contribution->phase());
+      p.contribution->residual(fields(), residual_scatter(p, buffer));
+    }
+  });
+}
+
 void EquationSystem::residual(const Vector& x, Vector& f) {
   prepare(x);
+  if (last_.is_null())
+    last_ = rcp(new Vector(dofs_.map()));
+  if (last_.get() != &x)
+    last_->assign(x);
   const Comm& comm = dofs_.mesh().comm;
   const int width = dofs_.fields();
   const auto owned = static_cast<std::size_t>(dofs_.num_rows()) * width;
   raw_residual_.assign(owned, 0.0);
+  rigid_->clear_forces();
   double norms[2] = {0.0, 0.0}; // internal forces, all others
   for (const bool internal : {true, false}) {
     std::vector<double> buffer(static_cast<std::size_t>(pattern_.num_rows()) * width, 0.0);
-    comm.together([&] {
-      for (Part& p : parts_) {
-        if (p.contribution->internal_force() != internal)
-          continue;
-        const PhaseTimers::Scope scope(timers_, p.contribution->phase());
-        const Connectivity& cells = p.contribution->connectivity();
-        p.contribution->residual(
-            fields(), {width, cells.offsets.data(), p.positions.row.data(), buffer.data()});
-      }
-    });
+    assemble_residual(internal, buffer);
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
     pattern_.add_shared_residual(buffer.data());
+    if (!internal)
+      rigid_->add_loads(time_, buffer.data());
     for (std::size_t i = 0; i < owned; ++i) {
       norms[internal ? 0 : 1] += buffer[i] * buffer[i];
       raw_residual_[i] += buffer[i];
     }
   }
+  rigid_->sum_forces();
+  forces_known_ = true;
   double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
   const auto unknowns = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (std::size_t i = 0; i < diagonal_.size(); ++i) {
@@ -170,24 +220,37 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
 }
 
+void EquationSystem::assemble_tangent_of(Part& p) {
+  const PhaseTimers::Scope scope(timers_, p.contribution->phase());
+  TangentScatter scatter;
+  scatter.fields = dofs_.fields();
+  scatter.cell_offset = p.contribution->connectivity().offsets.data();
+  scatter.row = p.positions.row.data();
+  scatter.block_offset = p.positions.block_offset.data();
+  scatter.block_position = p.positions.block_position.data();
+  scatter.row_length = pattern_.row_length().data();
+  scatter.values = raw_values_.data();
+  scatter.rigid = rigid_->scatter(p.positions);
+  p.contribution->tangent(fields(), scatter);
+}
+
 void EquationSystem::assemble_tangent() {
+  if (rigid_->have_unknowns() && !forces_known_) {
+    std::vector<double> unused(static_cast<std::size_t>(pattern_.num_rows()) * dofs_.fields(), 0.0);
+    rigid_->clear_forces();
+    for (const bool internal : {true, false})
+      assemble_residual(internal, unused);
+    rigid_->sum_forces();
+    forces_known_ = true;
+  }
   raw_values_.assign(static_cast<std::size_t>(pattern_.num_values()), 0.0);
   dofs_.mesh().comm.together([&] {
-    for (Part& p : parts_) {
-      const PhaseTimers::Scope scope(timers_, p.contribution->phase());
-      TangentScatter scatter;
-      scatter.fields = dofs_.fields();
-      scatter.cell_offset = p.contribution->connectivity().offsets.data();
-      scatter.row = p.positions.row.data();
-      scatter.block_offset = p.positions.block_offset.data();
-      scatter.block_position = p.positions.block_position.data();
-      scatter.row_length = pattern_.row_length().data();
-      scatter.values = raw_values_.data();
-      p.contribution->tangent(fields(), scatter);
-    }
+    for (Part& p : parts_)
+      assemble_tangent_of(p);
   });
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   pattern_.add_shared_values(raw_values_.data());
+  rigid_->add_stiffness(time_, pattern_, raw_values_.data());
 }
 
 RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
@@ -227,10 +290,18 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
 }
 
 /// Copies the raw values and clears constrained rows and columns, but for the diagonal. A row on
-/// which no cell acts (a node without an element) gets a unit diagonal.
+/// which no cell acts (a node without an element) gets a unit diagonal. Constrained rows of a rigid
+/// body get the largest diagonal of its rows: their own may be zero though the row is not.
 void EquationSystem::copy_constrained(Matrix& matrix) const {
   const auto local = matrix.getLocalMatrixHost();
   const auto rows = local.numRows();
+  const auto diagonal_of = [&](Local i) {
+    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k)
+      if (local.graph.entries(k) == i)
+        return std::fabs(raw_values_[k]);
+    return 0.0;
+  };
+  const Local node_rows = dofs_.num_node_rows() * dofs_.fields();
   for (Local i = 0; i < rows; ++i) {
     const auto begin = local.graph.row_map(i), end = local.graph.row_map(i + 1);
     bool empty = true;
@@ -240,21 +311,25 @@ void EquationSystem::copy_constrained(Matrix& matrix) const {
       empty = empty && raw == 0.0;
       local.values(k) = i == j ? raw : constrained_[i] || constrained_column_[j] ? 0.0 : raw;
     }
-    if (!empty)
+    double diagonal = empty ? 1.0 : 0.0;
+    if (i >= node_rows && constrained_[i]) {
+      const Local first = i - (i - node_rows) % 6;
+      for (Local j = first; j < first + 6; ++j)
+        diagonal = std::max(diagonal, diagonal_of(j));
+    }
+    if (diagonal == 0.0)
       continue;
     for (auto k = begin; k < end; ++k)
       if (local.graph.entries(k) == i)
-        local.values(k) = 1.0;
+        local.values(k) = diagonal;
   }
 }
 
 void EquationSystem::apply_constraints(Vector& x) const {
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (const Constraint& c : constraints_) {
-    const Local row = dofs_.row_of_node(c.node);
-    if (row >= 0)
-      view(std::size_t(row) * dofs_.fields() + c.field, 0) = c.value(time_);
-  }
+  for (const auto* list : {&constraints_, &body_constraints_})
+    for (const RowConstraint& c : *list)
+      view(static_cast<std::size_t>(c.row), 0) = c.value(time_);
 }
 
 void EquationSystem::predictor(const Vector& x, Vector& rhs) {
@@ -287,8 +362,12 @@ void EquationSystem::predictor(const Vector& x, Vector& rhs) {
 
 void EquationSystem::accept(const Vector& x) {
   prepare(x);
+  add_work(x);
   for (Part& p : parts_)
     p.contribution->accept();
+  rigid_->accept();
+  if (rigid_->have_unknowns())
+    prepared_ = false; // the same place, but the rotation's increments count from here
 }
 
 void EquationSystem::reject() {

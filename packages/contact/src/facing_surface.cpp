@@ -75,7 +75,8 @@ struct FacingSurface::Parcels {
   std::vector<std::vector<Global>> face_nodes, nodes;
 };
 
-void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<Box<3>>& wanted) {
+void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<double>& x_previous,
+                            const std::vector<Box<3>>& wanted) {
   const auto ranks = static_cast<std::size_t>(comm_.size());
   const auto wanted_by = share_boxes(comm_, wanted);
   const std::vector<double> sizes = face_sizes(own_);
@@ -100,7 +101,7 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
   in.face_nodes = comm_.exchange(out.face_nodes);
   in.nodes = comm_.exchange(out.nodes);
   unpack(in);
-  update(x_own);
+  update(x_own, x_previous);
 }
 
 void FacingSurface::pack(Local f, double size, std::size_t rank, std::vector<char>& taken,
@@ -159,18 +160,24 @@ void FacingSurface::unpack(const Parcels& in) {
   }
   largest_size_ = size_.empty() ? 0.0 : *std::max_element(size_.begin(), size_.end());
   x_.assign(node_.size() * 3, 0.0);
+  x_previous_ = x_;
   tree_ = {};
 }
 
-void FacingSurface::update(const std::vector<double>& x_own) {
+void FacingSurface::update(const std::vector<double>& x_own,
+                           const std::vector<double>& x_previous) {
   std::vector<std::vector<double>> send(send_nodes_.size());
   for (std::size_t r = 0; r < send.size(); ++r)
     for (Local n : send_nodes_[r])
-      send[r].insert(send[r].end(), &x_own[std::size_t(n) * 3], &x_own[std::size_t(n) * 3] + 3);
+      for (const auto* x : {&x_own, &x_previous})
+        send[r].insert(send[r].end(), x->begin() + 3 * n, x->begin() + 3 * n + 3);
   const auto arrived = comm_.exchange(send);
   for (std::size_t r = 0; r < arrived.size(); ++r)
-    for (std::size_t k = 0; k < receive_nodes_[r].size(); ++k)
-      std::copy_n(&arrived[r][3 * k], 3, &x_[std::size_t(receive_nodes_[r][k]) * 3]);
+    for (std::size_t k = 0; k < receive_nodes_[r].size(); ++k) {
+      const std::size_t node = std::size_t(receive_nodes_[r][k]) * 3;
+      std::copy_n(&arrived[r][6 * k], 3, &x_[node]);
+      std::copy_n(&arrived[r][6 * k + 3], 3, &x_previous_[node]);
+    }
 
   std::vector<Box<3>> boxes;
   for (Local f = 0; f < num_faces(); ++f) {
@@ -190,10 +197,15 @@ Box<3> FacingSurface::box(Local face) const {
   return b;
 }
 
-void FacingSurface::coordinates(Local face, Vec3* y) const {
+void FacingSurface::gather(const std::vector<double>& x, Local face, Vec3* y) const {
   for (Local a = offset_[face]; a < offset_[face + 1]; ++a, ++y)
     for (int i = 0; i < 3; ++i)
-      (*y)[i] = x_[std::size_t(face_nodes_[a]) * 3 + i];
+      (*y)[i] = x[std::size_t(face_nodes_[a]) * 3 + i];
+}
+
+Local FacingSurface::find(Global face_id) const {
+  const auto it = std::lower_bound(face_id_.begin(), face_id_.end(), face_id);
+  return it != face_id_.end() && *it == face_id ? static_cast<Local>(it - face_id_.begin()) : -1;
 }
 
 void FacingSurface::global_nodes(Local face, Global* nodes) const {

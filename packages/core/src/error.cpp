@@ -45,10 +45,12 @@ std::string nearest_word_hint(const std::string& word, const std::string* valid,
     if (d < best_distance)
       best = i, best_distance = d;
   }
-  std::string hint = "valid: " + list;
-  if (best_distance <= 2 + word.size() / 3)
-    hint += "; did you mean '" + valid[best] + "'?";
-  return hint;
+  const bool is_near = best_distance <= 2 + word.size() / 3;
+  const std::string guess = "did you mean '" + valid[best] + "'?";
+  constexpr std::size_t long_list = 20; // nobody reads on to the guess
+  if (is_near && count > long_list)
+    return guess + " valid: " + list;
+  return "valid: " + list + (is_near ? "; " + guess : "");
 }
 
 } // namespace abut

@@ -23,10 +23,15 @@ public:
       curve("displacements." + d.name, d.curve);
     for (const auto& load : deck_.loads)
       curve("loads." + load.name, load.curve);
-    for (const auto& pair : deck_.contact)
-      if (pair.primary == pair.secondary)
-        fail("contact." + pair.name + ".secondary",
-             "the pair names the same surface twice: '" + pair.primary + "'");
+    for (const auto& pair : deck_.contact) {
+      curve("contact." + pair.name, pair.penalty_curve, ".penalty_curve");
+      curve("contact." + pair.name, pair.friction_curve, ".friction_curve");
+      if (pair.primary == pair.secondary && pair.two_pass)
+        fail("contact." + pair.name + ".two_pass",
+             "self-contact of '" + pair.primary + "' has points on both sides already");
+      if (pair.tied && pair.tension)
+        fail("contact." + pair.name + ".tension", "tied points pull already");
+    }
     for (const auto& v : deck_.verify)
       verify(v);
   }
@@ -48,9 +53,9 @@ private:
                    nearest_word_hint(word, names.data(), names.size()));
   }
 
-  void curve(const std::string& path, const std::string& word) const {
+  void curve(const std::string& path, const std::string& word, const char* key = ".curve") const {
     if (!word.empty())
-      name(path + ".curve", word, deck_.curves, "curves");
+      name(path + key, word, deck_.curves, "curves");
   }
 
   void bodies() const {
@@ -66,12 +71,27 @@ private:
       }
       deformable = deformable || !body.rigid;
       if (body.rigid)
-        curve(path + ".rigid", body.motion.curve);
+        rigid(path + ".rigid", body.motion);
       else
         name(path + ".material", body.material, deck_.materials, "materials");
     }
     if (!deformable)
       fail("bodies", "all bodies are rigid; expected one with a material");
+  }
+
+  void rigid(const std::string& path, const solid::RigidMotion& motion) const {
+    curve(path, motion.curve);
+    if (!motion.load_curve.empty())
+      name(path + ".load_curve", motion.load_curve, deck_.curves, "curves");
+  }
+
+  void rigid_place(const std::string& path, const std::string& word) const {
+    if (word.empty())
+      fail(path, "missing key 'place' (the rigid body)");
+    name(path + ".place", word, deck_.bodies, "bodies");
+    for (const auto& body : deck_.bodies)
+      if (body.name == word && !body.rigid)
+        fail(path + ".place", "body '" + word + "' is not rigid");
   }
 
   void verify(const VerifyOptions& v) const {
@@ -80,6 +100,8 @@ private:
       if (v.place.empty())
         fail(path, "missing key 'place' (the contact interface)");
       name(path + ".place", v.place, deck_.contact, "contact");
+    } else if (is_rigid_quantity(v.quantity)) {
+      rigid_place(path, v.place);
     } else if (v.quantity == Quantity::newton_iterations) {
       if (!v.place.empty())
         fail(path + ".place", "newton_iterations counts the whole run");

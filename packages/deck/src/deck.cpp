@@ -44,11 +44,19 @@ bool is_contact_quantity(Quantity quantity) {
   case Quantity::max_pressure:
   case Quantity::max_penetration:
   case Quantity::active_points:
+  case Quantity::stick_points:
+  case Quantity::slip_points:
+  case Quantity::max_slip:
+  case Quantity::friction_dissipation:
   case Quantity::contact_radius:
     return true;
   default:
     return false;
   }
+}
+
+bool is_rigid_quantity(Quantity quantity) {
+  return quantity >= Quantity::rigid_displacement_x && quantity <= Quantity::rigid_moment_z;
 }
 
 double VerifyOptions::allowed_error() const {

@@ -4,6 +4,7 @@
 #include "abut/deck/deck.hpp"
 #include "rule.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -26,27 +27,58 @@ template <class V> void describe(V& v, solid::MaterialOptions& o) {
 }
 
 template <class V> void describe(V& v, solid::RigidMotion& o) {
+  constexpr const char* components[] = {"x", "y", "z", "rx", "ry", "rz"};
   v.optional("displacement", o.displacement, "at curve value 1", unit("length"));
   v.optional("rotation", o.rotation, "rotation vector at curve value 1", unit("rad"));
   v.optional("center", o.center, "point of the reference configuration to rotate about",
              unit("length"));
   v.optional("curve", o.curve, "factor over the load parameter; without one, t itself");
+  std::vector<std::string> free;
+  for (std::size_t i = 0; i < 6; ++i)
+    if (o.free[i])
+      free.push_back(components[i]);
+  v.words("free", free, {"x", "y", "z", "rx", "ry", "rz"},
+          "components of displacement and rotation that are unknowns; the others are prescribed");
+  v.optional("force", o.force, "on the center, where components are free", unit("force"));
+  v.optional("moment", o.moment, "about the center, where components are free",
+             unit("force length"));
+  v.optional("follower", o.follower, "force and moment turn with the body");
+  v.optional("load_curve", o.load_curve,
+             "factor of force and moment over the load parameter; without one, t itself");
+
+  for (std::size_t i = 0; i < 6; ++i)
+    o.free[i] = std::find(free.begin(), free.end(), components[i]) != free.end();
+  for (std::size_t i = 0; i < 6; ++i) {
+    const bool turns = i >= 3;
+    v.check(turns ? "rotation" : "displacement",
+            !o.free[i] || (turns ? o.rotation[i - 3] : o.displacement[i]) == 0.0,
+            std::string("component '") + components[i] + "' is prescribed here and listed as free");
+  }
+  constexpr std::array<double, 3> none{};
+  for (const char* key : {"force", "moment"})
+    v.check(key, o.has_unknowns() || (key[0] == 'f' ? o.force : o.moment) == none,
+            "the motion is prescribed, so a load moves nothing; list what may move under 'free'");
 }
 
 template <class V> void describe(V& v, solid::BodyOptions& o) {
-  v.required("blocks", o.blocks, "element blocks of the mesh, by name or number");
+  v.optional("blocks", o.blocks, "element blocks of the mesh, by name or number");
+  v.optional("node_sets", o.node_sets,
+             "nodes that move with a rigid body, of other bodies' elements too");
+  v.at_least_one({"blocks", "node_sets"});
   v.alternative("material", !o.rigid,
                 [&] { v.required("material", o.material, "name under materials"); });
   v.alternative("rigid", o.rigid, [&] {
     o.rigid = true;
-    v.group("rigid", "an obstacle without unknowns, and how it moves; {} stands still",
+    v.group("rigid", "nodes that move as one, and how they move; {} stands still",
             [&](auto& w) { describe(w, o.motion); });
   });
+  v.check("node_sets", o.rigid || o.node_sets.empty(),
+          "only a rigid body takes nodes; a deformable one consists of blocks");
 }
 
 template <class V> void describe(V& v, solid::DisplacementOptions& o) {
   constexpr const char* axes[] = {"x", "y", "z"};
-  std::array<std::optional<double>, 3> given;
+  std::array<std::optional<solid::Amount>, 3> given;
   for (std::size_t i = 0; i < 3; ++i)
     if (o.components[i])
       given[i] = o.values[i];
@@ -61,13 +93,13 @@ template <class V> void describe(V& v, solid::DisplacementOptions& o) {
   v.at_least_one({"x", "y", "z", "fix"});
 
   for (const std::string& axis : fixed) {
-    std::optional<double>& component = given[static_cast<std::size_t>(axis[0] - 'x')];
+    std::optional<solid::Amount>& component = given[static_cast<std::size_t>(axis[0] - 'x')];
     v.check("fix", !component, "direction '" + axis + "' is prescribed twice");
     component = 0.0;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     o.components[i] = given[i].has_value();
-    o.values[i] = given[i].value_or(0.0);
+    o.values[i] = given[i].value_or(solid::Amount());
   }
 }
 
@@ -105,8 +137,12 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.required("primary", o.primary, "side set that carries the integration points");
   v.required("secondary", o.secondary, "side set that is projected on");
   v.choice("formulation", o.formulation,
-           {{"facet_on_facet", Formulation::facet_on_facet,
-             "closest point on the secondary faces, along their normal"}},
+           {{"node_on_facet", Formulation::node_on_facet,
+             "points at the primary nodes, closest point on the secondary faces"},
+            {"facet_on_facet", Formulation::facet_on_facet,
+             "Gauss points, closest point on the secondary faces, along their normal"},
+            {"sliding_elastic", Formulation::sliding_elastic,
+             "Gauss points, ray along the primary normal, current area"}},
            "how partners are found and the gap is measured");
   v.choice("enforcement", o.enforcement,
            {{"penalty", Enforcement::penalty, "pressure grows with penetration"},
@@ -116,6 +152,39 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("penalty_factor", o.penalty_factor, "f in eps = f E_n A / V, when penalty is 0",
              positive("1"));
   v.optional("penalty", o.penalty, "eps itself; 0: automatic", at_least(0.0, "pressure/length"));
+  v.optional("penalty_curve", o.penalty_curve, "factor on the penalty over the load parameter");
+  v.optional("update_penalty", o.update_penalty,
+             "take A of the automatic penalty from the last converged step");
+  v.optional("friction", o.friction, "Coulomb's coefficient mu", at_least(0.0, "1"));
+  v.optional("friction_curve", o.friction_curve, "factor on mu over the load parameter");
+  using contact::FrictionMap;
+  v.choice("friction_map", o.friction_map,
+           {{"automatic", FrictionMap::automatic,
+             "inclined_ray for sliding_elastic, incremental for the others"},
+            {"inclined_ray", FrictionMap::inclined_ray,
+             "stick against an anchor, slip along a ray inclined by the friction angle"},
+            {"incremental", FrictionMap::incremental,
+             "radial return of the last traction plus the step's slip"},
+            {"literal", FrictionMap::literal, "the printed theory, for comparison"}},
+           "how the tangential traction follows from the motion");
+  v.optional("two_pass", o.two_pass, "both sides carry points, each half of the traction");
+  v.optional("tension", o.tension, "points in contact may pull");
+  v.optional("tied", o.tied, "points close to their partner at the start stay there");
+  v.optional("tie_distance", o.tie_distance, "what is close for tied, in face sizes",
+             positive("1"));
+  v.optional("offset", o.offset, "gap that counts as closed", unit("length"));
+  using contact::InitialOverlap;
+  v.choice("initial_overlap", o.initial_overlap,
+           {{"keep", InitialOverlap::keep, "resolved at once"},
+            {"resolve", InitialOverlap::resolve, "pushed out while t rises to its end"},
+            {"adjust", InitialOverlap::adjust, "counts as no overlap: strain free"}},
+           "what becomes of an overlap of the meshes");
+  using contact::Tangent;
+  v.choice("tangent", o.tangent,
+           {{"analytic", Tangent::analytic, "closed form"},
+            {"automatic", Tangent::automatic, "automatic differentiation; slow"},
+            {"symmetric", Tangent::symmetric, "symmetric part, for a symmetric solver"}},
+           "derivative of the contact forces");
   v.optional("points", o.points,
              "integration points per direction; 0: 2 on linear faces, 3 on quadratic ones",
              Rule{0.0, 6.0, false, "1", ""});
@@ -124,11 +193,16 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("projection_margin", o.projection_margin,
              "how far outside a face a projection still counts, in face coordinates",
              at_least(0.0, "1"));
+  v.optional("segment_updates", o.segment_updates,
+             "searches in a solve after which partners stay; 0: no limit", at_least(0.0, "1"));
   v.optional("multiplier_tolerance", o.multiplier_tolerance,
              "augmentation stops at this relative change of the multipliers", positive("1"));
   v.optional("gap_tolerance", o.gap_tolerance,
              "augmentation also asks for this largest penetration, in face sizes; 0: it does not",
              at_least(0.0, "1"));
+  v.optional("gap_limit", o.gap_limit,
+             "augmentation also asks for this largest penetration; 0: it does not",
+             at_least(0.0, "length"));
   v.optional("min_augmentations", o.min_augmentations, "at least so many, each step",
              at_least(0.0, "1"));
   v.optional("max_augmentations", o.max_augmentations, "at most so many, each step",
@@ -187,29 +261,50 @@ template <class V> void describe(V& v, io::OutputOptions& o) {
             {"one", Files::one, "one file"},
             {"per_rank", Files::per_rank, "one file for each rank"}},
            "how results are split into files");
+  v.optional("points", o.points, "write a table of all contact points, NAME.points.csv");
   v.optional("every", o.every, "write every n-th converged step; the last one always",
              at_least(1.0, "1"));
 }
 
 template <class V> void describe(V& v, VerifyOptions& o) {
-  v.required_choice("quantity", o.quantity,
-                    {{"force_x", Quantity::force_x, "contact force on the primary side"},
-                     {"force_y", Quantity::force_y},
-                     {"force_z", Quantity::force_z},
-                     {"max_pressure", Quantity::max_pressure, "of a contact interface"},
-                     {"max_penetration", Quantity::max_penetration, "of a contact interface"},
-                     {"active_points", Quantity::active_points, "of a contact interface"},
-                     {"contact_radius", Quantity::contact_radius,
-                      "of a contact interface round the z axis, by regression of p^2 over r^2"},
-                     {"displacement_x", Quantity::displacement_x, "at a point or mean over a set"},
-                     {"displacement_y", Quantity::displacement_y},
-                     {"displacement_z", Quantity::displacement_z},
-                     {"reaction_x", Quantity::reaction_x, "sum over a set"},
-                     {"reaction_y", Quantity::reaction_y},
-                     {"reaction_z", Quantity::reaction_z},
-                     {"newton_iterations", Quantity::newton_iterations, "of the whole run"}},
-                    "what is compared, at the end of the run");
-  v.optional("place", o.place, "contact interface, node set or side set");
+  v.required_choice(
+      "quantity", o.quantity,
+      {{"force_x", Quantity::force_x, "contact force on the primary side"},
+       {"force_y", Quantity::force_y},
+       {"force_z", Quantity::force_z},
+       {"max_pressure", Quantity::max_pressure, "of a contact interface"},
+       {"max_penetration", Quantity::max_penetration, "of a contact interface"},
+       {"active_points", Quantity::active_points, "of a contact interface"},
+       {"stick_points", Quantity::stick_points, "of a contact interface"},
+       {"slip_points", Quantity::slip_points, "of a contact interface"},
+       {"max_slip", Quantity::max_slip, "longest way slipped at a contact interface"},
+       {"friction_dissipation", Quantity::friction_dissipation,
+        "energy lost at a contact interface"},
+       {"contact_radius", Quantity::contact_radius,
+        "of a contact interface round the z axis, by regression of p^2 over r^2"},
+       {"displacement_x", Quantity::displacement_x, "at a point or mean over a set"},
+       {"displacement_y", Quantity::displacement_y},
+       {"displacement_z", Quantity::displacement_z},
+       {"reaction_x", Quantity::reaction_x, "sum over a set"},
+       {"reaction_y", Quantity::reaction_y},
+       {"reaction_z", Quantity::reaction_z},
+       {"newton_iterations", Quantity::newton_iterations, "of the whole run"},
+       {"rigid_displacement_x", Quantity::rigid_displacement_x, "of the center of a rigid body"},
+       {"rigid_displacement_y", Quantity::rigid_displacement_y},
+       {"rigid_displacement_z", Quantity::rigid_displacement_z},
+       {"rigid_rotation_x", Quantity::rigid_rotation_x,
+        "of the rotation vector of a rigid body, in rad, whole turns counted"},
+       {"rigid_rotation_y", Quantity::rigid_rotation_y},
+       {"rigid_rotation_z", Quantity::rigid_rotation_z},
+       {"rigid_force_x", Quantity::rigid_force_x,
+        "that holds the prescribed components of a rigid body; 0 for free ones"},
+       {"rigid_force_y", Quantity::rigid_force_y},
+       {"rigid_force_z", Quantity::rigid_force_z},
+       {"rigid_moment_x", Quantity::rigid_moment_x, "about the current center, as rigid_force"},
+       {"rigid_moment_y", Quantity::rigid_moment_y},
+       {"rigid_moment_z", Quantity::rigid_moment_z}},
+      "what is compared, at the end of the run");
+  v.optional("place", o.place, "contact interface, rigid body, node set or side set");
   v.optional("point", o.point, "reference coordinates", unit("length"));
   v.required("expected", o.expected, "the value");
   v.optional("tolerance", o.tolerance, "allowed error, absolute", at_least(0.0));
@@ -234,7 +329,8 @@ template <class V> void describe(V& v, Deck& o) {
   v.optional("title", o.title, "free text");
   v.required_group("mesh", "where the mesh comes from", [&](auto& w) { describe(w, o.mesh); });
   v.named_map("materials", o.materials, "materials by name");
-  v.named_map("bodies", o.bodies, "what the blocks of the mesh are made of", true);
+  v.named_map("bodies", o.bodies, "what the blocks of the mesh are made of, and rigid bodies",
+              true);
   v.named_map("displacements", o.displacements, "prescribed displacements");
   v.named_map("loads", o.loads, "external loads");
   v.curve_map("curves", o.curves,
@@ -250,6 +346,11 @@ template <class V> void describe(V& v, Deck& o) {
     w.trilinos_list("MueLu", o.linear.muelu, "algebraic multigrid");
     w.trilinos_list("Ifpack2", o.linear.ifpack2, "incomplete factors");
   });
+  v.choice("check", o.check,
+           {{"none", ModelCheck::none},
+            {"tangent", ModelCheck::tangent,
+             "after every solve, each part's tangent against differences of its forces"}},
+           "what a run tests of its own model");
   v.named_map("verify", o.verify, "what the deck expects of its own results");
 }
 

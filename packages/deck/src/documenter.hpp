@@ -27,7 +27,7 @@ public:
   template <class T>
   void optional(const char* key, const T& x, const char* doc, const Rule& rule = {}) {
     Field& field = add_value(key, type_of(static_cast<const T*>(nullptr)), doc, rule);
-    if constexpr (std::is_same_v<T, std::string>) {
+    if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>) {
       if (!x.empty())
         field.initial = printed(x);
     } else {
@@ -109,6 +109,10 @@ private:
   static const char* type_of(const std::string*) { return "text"; }
   static const char* type_of(const std::array<double, 3>*) { return "3 numbers"; }
   static const char* type_of(const std::vector<std::string>*) { return "list of texts"; }
+  static const char* type_of(const solid::Amount*) { return "number or expression"; }
+  static const char* type_of(const std::array<solid::Amount, 3>*) {
+    return "3 numbers or expressions";
+  }
 
   Field& add(Field::Kind kind, const char* key, const char* type, const char* doc) {
     const auto same = std::find_if(map_.fields.begin(), map_.fields.end(),

@@ -2,6 +2,7 @@
 #include "filler.hpp"
 
 #include "abut/deck/parse.hpp"
+#include "expression.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -240,6 +241,26 @@ void Filler::read(const Value& value, const std::string& path, std::vector<std::
     fail(value.where, path, "expected a list of one or more texts, got " + value.description());
   for (const Value& item : value.items)
     read(item, path, list.emplace_back(), rule);
+}
+
+void Filler::read(const Value& value, const std::string& path, solid::Amount& amount,
+                  const Rule& rule) const {
+  double number = 0.0;
+  if (value.kind != Value::Kind::scalar || parse_number(value.text, number)) {
+    // A number in quotes is refused: should its curve multiply it or not?
+    read(value, path, amount.number, rule);
+    return;
+  }
+  amount = {value.text, compile_expression(value.text, value.where.text() + ": " + path)};
+}
+
+void Filler::read(const Value& value, const std::string& path, std::array<solid::Amount, 3>& x,
+                  const Rule& rule) const {
+  if (value.kind != Value::Kind::list || value.items.size() != 3)
+    fail(value.where, path,
+         "expected a list of 3 numbers or expressions, got " + value.description());
+  for (std::size_t i = 0; i < 3; ++i)
+    read(value.items[i], path, x[i], rule);
 }
 
 } // namespace abut::deck

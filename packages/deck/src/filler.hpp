@@ -139,6 +139,9 @@ private:
   void read(const Value&, const std::string& path, std::string&, const Rule&) const;
   void read(const Value&, const std::string& path, std::array<double, 3>&, const Rule&) const;
   void read(const Value&, const std::string& path, std::vector<std::string>&, const Rule&) const;
+  void read(const Value&, const std::string& path, solid::Amount&, const Rule&) const;
+  void read(const Value&, const std::string& path, std::array<solid::Amount, 3>&,
+            const Rule&) const;
 
   const Value& map_;
   Location where_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/deck/value.hpp"
+#include "abut/solid/options.hpp"
 
 #include <array>
 #include <string>
@@ -22,6 +23,10 @@ inline std::string printed(long long n) {
 }
 inline std::string printed(double x) {
   return number_text(x);
+}
+
+inline std::string printed(const solid::Amount& x) {
+  return x.expression.empty() ? printed(x.number) : printed(x.expression);
 }
 
 template <class T, std::size_t n> std::string printed(const std::array<T, n>& x);

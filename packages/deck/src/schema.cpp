@@ -167,8 +167,13 @@ Json json_scalar(const std::string& type) {
     return {{"type", "boolean"}};
   if (type == "text" || type == "word")
     return {{"type", {"string", "number"}}};
-  if (type == "3 numbers")
-    return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}};
+  if (type == "number or expression")
+    return {{"type", {"number", "string"}}};
+  if (type == "3 numbers" || type == "3 numbers or expressions") {
+    const Json item =
+        type == "3 numbers" ? json_scalar("number") : json_scalar("number or expression");
+    return {{"type", "array"}, {"items", item}, {"minItems", 3}, {"maxItems", 3}};
+  }
   return {{"type", "array"}, {"items", {{"type", {"string", "number"}}}}, {"minItems", 1}};
 }
 
@@ -249,17 +254,24 @@ Field schema() {
 
 std::string schema_text() {
   std::string out = "# Keys of an abut deck: type [unit]; required or default; meaning.\n"
-                    "# NAME stands for a name of your choice. Any consistent units will do.\n";
+                    "# NAME stands for a name of your choice. Any consistent units will do.\n"
+                    "# An expression is a formula in quotes in x, y, z (reference position), t "
+                    "(load parameter), pi.\n";
   write_text(schema(), 0, out);
   return out;
 }
 
 std::string schema_markdown() {
-  std::string out = "# Deck reference\n\n"
-                    "Written by `abut schema --markdown` from the declaration that also checks "
-                    "decks.\nNAME stands for a name of your choice; any consistent units will do. "
-                    "The same keys hold in YAML and in\nXML (Teuchos `ParameterList`: maps are "
-                    "sublists, lists are `Array(...)`, lists of lists `TwoDArray(...)`).\n\n";
+  std::string out =
+      "# Deck reference\n\n"
+      "Written by `abut schema --markdown` from the declaration that also checks "
+      "decks.\nNAME stands for a name of your choice; any consistent units will do. "
+      "The same keys hold in YAML and in\nXML (Teuchos `ParameterList`: maps are "
+      "sublists, lists are `Array(...)`, lists of lists `TwoDArray(...)`).\n\n"
+      "An expression is a formula in quotes, `\"0.01*sin(pi*x)*t\"`, in x, y, z (reference "
+      "position),\nt (load parameter), pi and functions (sin, exp, sqrt, abs, max, "
+      "...; `a < b ? c : d` chooses). A curve\nmultiplies a number always, an "
+      "expression only where one is given.\n\n";
   write_markdown(schema(), "", out);
   while (out.size() > 1 && out[out.size() - 2] == '\n')
     out.pop_back();

@@ -28,6 +28,10 @@ public:
     if (!s.empty())
       line(key, printed(s));
   }
+  void optional(const char* key, const std::vector<std::string>& list, const char*) {
+    if (!list.empty())
+      line(key, printed(list));
+  }
   template <class T>
   void optional(const char* key, const std::optional<T>& x, const char*, const Rule& = {}) {
     if (x)

@@ -2,6 +2,7 @@
 #include "abut/fem/quadrature.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/fem/face_shape.hpp"
 
 #include <cmath>
 
@@ -144,6 +145,38 @@ Rule<1> line_rule(int n) {
 Rule<2> face_rule(FaceType type, int n) {
   require_points(n);
   return is_triangle(type) ? triangle_rule(n) : square_rule(n);
+}
+
+Rule<2> nodal_rule(FaceType type) {
+  Rule<2> rule;
+  dispatch_face(type, [&](auto shape) {
+    using Shape = decltype(shape);
+    for (int a = 0; a < Shape::nodes; ++a) {
+      double weight = 0.0;
+      switch (type) {
+      case FaceType::quad4:
+        weight = 1.0;
+        break;
+      case FaceType::quad8:
+        weight = a < 4 ? 3.0 / 19.0 : 16.0 / 19.0;
+        break;
+      case FaceType::quad9:
+        weight = a < 4 ? 1.0 / 9.0 : a < 8 ? 4.0 / 9.0 : 16.0 / 9.0;
+        break;
+      case FaceType::tri3:
+        weight = 1.0 / 6.0;
+        break;
+      case FaceType::tri6:
+        weight = a < 3 ? 0.0 : 1.0 / 6.0;
+        break;
+      }
+      double xi[2];
+      Shape::node(a, xi);
+      if (weight > 0.0)
+        rule.add({xi[0], xi[1]}, weight);
+    }
+  });
+  return rule;
 }
 
 Rule<3> cell_rule(CellType type, int n) {

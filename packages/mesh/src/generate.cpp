@@ -2,6 +2,7 @@
 #include "abut/mesh/generate.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/mesh/contact_generators.hpp"
 #include "abut/mesh/generators.hpp"
 
 #include <algorithm>
@@ -20,6 +21,9 @@ const std::array<std::string, 6> cell_names{"hex8", "hex20", "hex27", "tet4", "t
 const std::array<fem::CellType, 6> cell_types{fem::CellType::hex8,  fem::CellType::hex20,
                                               fem::CellType::hex27, fem::CellType::tet4,
                                               fem::CellType::tet10, fem::CellType::wedge6};
+
+const std::array<std::string, 4> interface_names{"plane", "cylinder", "sphere", "sine"};
+const std::array<std::string, 2> punch_names{"strip", "disc"};
 
 using Written = std::map<std::string, std::string>;
 
@@ -53,6 +57,19 @@ void read(const std::string& text, bool& value) {
     throw InputError("expected true or false, got '" + text + "'");
   value = yes;
 }
+template <class Enum, std::size_t N>
+void read_word(const std::string& text, const std::array<std::string, N>& words, Enum& value) {
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end())
+    throw InputError("unknown word '" + text + "'; " + nearest_word_hint(text, words.data(), N));
+  value = static_cast<Enum>(found - words.begin());
+}
+void read(const std::string& text, InterfaceShape& value) {
+  read_word(text, interface_names, value);
+}
+void read(const std::string& text, PunchShape& value) {
+  read_word(text, punch_names, value);
+}
 template <class T> void read(const std::string& text, std::array<T, 3>& value) {
   std::string words = text;
   for (char& c : words)
@@ -72,6 +89,12 @@ template <class T> void read(const std::string& text, std::array<T, 3>& value) {
 
 std::string write(fem::CellType value) {
   return cell_names[std::find(cell_types.begin(), cell_types.end(), value) - cell_types.begin()];
+}
+std::string write(InterfaceShape value) {
+  return interface_names[static_cast<std::size_t>(value)];
+}
+std::string write(PunchShape value) {
+  return punch_names[static_cast<std::size_t>(value)];
 }
 std::string write(bool value) {
   return value ? "true" : "false";
@@ -138,6 +161,9 @@ void bind(Binder& b, BlockPairOptions& o) {
   b("gap", o.gap, "distance between the blocks");
   b("rotation", o.rotation, "degrees, turns the upper mesh inside its outline about the normal");
   b("turn", o.turn, "degrees, turns the upper block about the normal");
+  b("shift", o.shift, "moves the upper block along x");
+  b("flat", o.flat, "half width along x of the plane part of lower_top, from its middle");
+  b("drop", o.drop, "beyond it lower_top lies drop (|x - middle| - flat)^2 lower");
   b("distortion", o.distortion, "random moves of inner nodes, fraction of the cell size");
   b("element", o.element, "hex8, hex20, hex27, tet4, tet10 or wedge6");
 }
@@ -188,6 +214,51 @@ void bind(Binder& b, HertzBlockOptions& o) {
   b("element", o.element, "hex8, hex20, hex27, tet4, tet10 or wedge6");
 }
 
+void bind(Binder& b, InterfaceOptions& o) {
+  b("shape", o.shape, "of the interface: plane, cylinder, sphere or sine");
+  b("angle", o.angle, "degrees, of the plane")("radius", o.radius, "of cylinder and sphere");
+  b("amplitude", o.amplitude, "of the sine");
+  b("width", o.width, "along x")("depth", o.depth, "along y");
+  b("lower_height", o.lower_height, "of the box below z = 0");
+  b("upper_height", o.upper_height, "of the box above z = 0");
+  b("lower_divisions", o.lower_divisions, "cells of the lower block along each edge");
+  b("upper_divisions", o.upper_divisions, "cells of the upper block along each edge");
+  b("element", o.element, "hex8, hex20, hex27, tet4, tet10 or wedge6");
+}
+
+void bind_round_pair(Binder& b, RoundPairOptions& o) {
+  b("upper_radius", o.upper_radius, "of the upper body");
+  b("lower_radius", o.lower_radius, "of the lower body");
+  b("core", o.core, "extent of the uniform fine region");
+  b("upper_facets", o.upper_facets, "faces of the upper body along the core");
+  b("lower_facets", o.lower_facets, "faces of the lower body along the core");
+  b("growth", o.growth, "largest ratio of neighbouring cells outside the core");
+  b("depth", o.depth, "uniform layers below the surface; negative: core / 8");
+  b("max_size", o.max_size, "largest cell; 0: radius / 5");
+  b("element", o.element, "hex8, hex20, hex27, tet4, tet10, wedge6 (cylinders)");
+}
+
+void bind(Binder& b, RoundPairOptions& o) {
+  bind_round_pair(b, o);
+}
+
+void bind(Binder& b, CylinderPairOptions& o) {
+  bind_round_pair(b, o);
+  b("thickness", o.thickness, "along y")("thickness_divisions", o.thickness_divisions, "along y");
+}
+
+void bind(Binder& b, PunchOptions& o) {
+  b("shape", o.shape, "strip or disc")("radius", o.radius, "half width of the punch");
+  b("facets", o.facets, "faces of the body from the middle to the edge of the punch");
+  b("offset", o.offset, "the edge lies so many cells inside a line of the mesh");
+  b("size", o.size, "reach of the body sideways and downwards");
+  b("growth", o.growth, "largest ratio of neighbouring cells away from the punch");
+  b("max_size", o.max_size, "largest cell; 0: size / 5");
+  b("thickness", o.thickness, "of the strip along y");
+  b("punch_divisions", o.punch_divisions, "faces of the punch from its middle to its edge");
+  b("element", o.element, "of the body: hex8, hex20, hex27, tet4, tet10");
+}
+
 /// Makes the mesh, or only lists the keys when `keys` is given.
 template <class Options>
 MeshData run(const Written& written, MeshData (*make)(const Options&),
@@ -217,6 +288,14 @@ MeshData dispatch(const std::string& kind, const Written& written,
     return run(written, &rings, keys);
   if (kind == "hertz_block")
     return run(written, &hertz_block, keys);
+  if (kind == "interface")
+    return run(written, &interface_pair, keys);
+  if (kind == "two_spheres")
+    return run(written, &sphere_pair, keys);
+  if (kind == "two_cylinders")
+    return run(written, &cylinder_pair, keys);
+  if (kind == "punch")
+    return run(written, &punch, keys);
   const auto& kinds = generator_kinds();
   throw InputError("unknown mesh kind '" + kind + "'; " +
                    nearest_word_hint(kind, kinds.data(), kinds.size()));
@@ -225,8 +304,9 @@ MeshData dispatch(const std::string& kind, const Written& written,
 } // namespace
 
 const std::vector<std::string>& generator_kinds() {
-  static const std::vector<std::string> kinds{"box",          "blocks", "quarter_cylinder",
-                                              "sphere_plane", "rings",  "hertz_block"};
+  static const std::vector<std::string> kinds{
+      "box",         "blocks",    "quarter_cylinder", "sphere_plane",  "rings",
+      "hertz_block", "interface", "two_spheres",      "two_cylinders", "punch"};
   return kinds;
 }
 

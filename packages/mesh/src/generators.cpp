@@ -7,6 +7,7 @@
 #include "abut/mesh/merge.hpp"
 #include "structured.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut::mesh {
@@ -71,6 +72,20 @@ MeshData ring(double inner, double outer, int n_theta, int n_r, const RingsOptio
   return convert(mesh, o.element, onto_circle);
 }
 
+/// Lowers the flanks of the top of the first block, and all below it in proportion.
+void lower_flanks(MeshData& mesh, const BlockPairOptions& o) {
+  const double middle = 0.5 * o.lower_size[0], height = o.lower_size[2];
+  std::vector<char> done(mesh.x.size() / 3, 0);
+  for (const Global node : mesh.blocks[0].nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    double* x = &mesh.x[3 * n];
+    const double beyond = std::max(0.0, std::abs(x[0] - middle) - o.flat);
+    if (!done[n])
+      x[2] -= o.drop * beyond * beyond * (x[2] + height) / height;
+    done[n] = 1;
+  }
+}
+
 } // namespace
 
 MeshData box(const BoxOptions& o) {
@@ -94,7 +109,7 @@ MeshData block_pair(const BlockPairOptions& o) {
                                    sides("lower", "_bottom", "_top"));
   distort(mesh, lower_axes.x, lower_axes.y, lower_axes.z, o.distortion, 1);
 
-  const Size corner{0.5 * (o.lower_size[0] - o.upper_size[0]),
+  const Size corner{0.5 * (o.lower_size[0] - o.upper_size[0]) + o.shift,
                     0.5 * (o.lower_size[1] - o.upper_size[1]), o.gap};
   const Axes axes = uniform_axes(o.upper_size, o.upper_divisions, corner);
   MeshData upper =
@@ -107,6 +122,7 @@ MeshData block_pair(const BlockPairOptions& o) {
 
   append(mesh, upper);
   mesh = convert(mesh, o.element);
+  lower_flanks(mesh, o);
   mesh.title = "pair of blocks";
   node_sets_from_side_sets(mesh);
   return mesh;

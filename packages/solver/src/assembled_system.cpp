@@ -3,15 +3,7 @@
 
 namespace abut::solver {
 
-AssembledSystem::AssembledSystem(assembly::EquationSystem& equations) : equations_(equations) {
-  const assembly::DofMap& dofs = equations.dofs();
-  const mesh::Mesh& mesh = dofs.mesh();
-  for (Local r = 0; r < dofs.num_rows(); ++r) {
-    const auto n = static_cast<std::size_t>(dofs.node_of_row(r));
-    for (int i = 0; i < 3; ++i)
-      coordinates_.push_back(i < mesh.dim ? mesh.x[n * std::size_t(mesh.dim) + std::size_t(i)]
-                                          : 0.0);
-  }
-}
+AssembledSystem::AssembledSystem(assembly::EquationSystem& equations)
+    : equations_(equations), coordinates_(equations.row_coordinates()) {}
 
 } // namespace abut::solver

@@ -34,9 +34,9 @@ TEST(Deck, FillsEverySection) {
   EXPECT_EQ(d.loads[0].kind, solid::LoadKind::traction);
   EXPECT_EQ(d.loads[0].place, "skin");
   EXPECT_EQ(d.loads[1].kind, solid::LoadKind::pressure);
-  EXPECT_EQ(d.loads[1].pressure, 2.5);
+  EXPECT_EQ(d.loads[1].pressure.number, 2.5);
   EXPECT_EQ(d.loads[2].kind, solid::LoadKind::body_force);
-  EXPECT_EQ(d.loads[2].vector[2], -9.81);
+  EXPECT_EQ(d.loads[2].vector[2].number, -9.81);
   EXPECT_EQ(d.loads[3].kind, solid::LoadKind::force);
   EXPECT_EQ(d.loads[3].place, "hook");
   ASSERT_EQ(d.contact.size(), 1u);

@@ -181,6 +181,30 @@ TEST(BlockPair, RotationMovesTheInterfaceButNotTheOutline) {
   EXPECT_THROW(block_pair(o), abut::InputError);
 }
 
+TEST(BlockPair, FlanksOfTheLowerTopDrop) {
+  BlockPairOptions o;
+  o.lower_size = {2.5, 0.1, 0.5};
+  o.lower_divisions = {10, 1, 2};
+  o.upper_size = {2.0, 0.1, 1.0};
+  o.shift = -0.125;
+  o.flat = 0.5;
+  o.drop = 0.2;
+  o.element = abut::fem::CellType::hex20;
+  const MeshData m = block_pair(o);
+  EXPECT_GT(min_scaled_jacobian(m), 0.5);
+  double lowest = 0.0;
+  for (Global n : m.node_sets.at("lower_top")) {
+    const double beyond = std::max(0.0, std::abs(point(m, n)[0] - 1.25) - 0.5);
+    EXPECT_NEAR(point(m, n)[2], -0.2 * beyond * beyond, 1e-15);
+    lowest = std::min(lowest, point(m, n)[2]);
+  }
+  EXPECT_NEAR(lowest, -0.1125, 1e-15);
+  for (Global n : m.node_sets.at("lower_bottom"))
+    EXPECT_EQ(point(m, n)[2], -0.5);
+  for (Global n : m.node_sets.at("upper_x0"))
+    EXPECT_NEAR(point(m, n)[0], 0.125, 1e-15);
+}
+
 TEST(Convert, RefusesWedgesThatDoNotStack) {
   // Two cells, the second on its side: its first direction meets the first one's cut face.
   MeshData m;

@@ -159,7 +159,9 @@ TYPED_TEST(Element, LinearDisplacementGivesConstantStress) {
         for (int a = 0; a < m; ++a)
           for (int i = 0; i < 3; ++i)
             xs[a][i] = this->x[i][side.nodes[a]];
-        pressure_residual(reference_face<decltype(shape)::type>(), 1.0, xs, unit); // int N_a n dA
+        double one[ReferenceFace<decltype(shape)::type>::points];
+        std::fill(std::begin(one), std::end(one), 1.0);
+        pressure_residual(reference_face<decltype(shape)::type>(), one, xs, unit); // int N_a n dA
         for (int a = 0; a < m; ++a) {
           const Vec3 force = nominal * unit[a];
           for (int i = 0; i < 3; ++i)

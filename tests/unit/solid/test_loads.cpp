@@ -71,7 +71,8 @@ TEST(Loads, TractionResultantIsForceTimesReferenceArea) {
     const Resultant sum(system.residual, mesh.x);
     const LoadOptions o = load(LoadKind::traction, "");
     const double centroid = tet || type == CellType::wedge6 ? 1.0 / 3.0 : 0.0;
-    const Vec3 force{{5 * area * o.vector[0], 5 * area * o.vector[1], 5 * area * o.vector[2]}};
+    const Vec3 force =
+        5 * area * Vec3{{o.vector[0].number, o.vector[1].number, o.vector[2].number}};
     const Vec3 moment = cross(Vec3{{centroid, centroid, tet ? 0.0 : -1.0}}, force);
     for (int i = 0; i < 3; ++i) {
       EXPECT_NEAR(sum.force[i], force[i], 1e-13 * norm(force)) << fem::info(type).name;
@@ -93,7 +94,7 @@ TEST(Loads, BodyForceResultantIsForceTimesReferenceVolume) {
     const double volume = element_volume(mesh, 0, 0);
     const LoadOptions o = load(LoadKind::body_force, "");
     for (int i = 0; i < 3; ++i)
-      EXPECT_NEAR(sum.force[i], 0.25 * volume * o.vector[i], 2e-14 * volume);
+      EXPECT_NEAR(sum.force[i], 0.25 * volume * o.vector[i].number, 2e-14 * volume);
   }
 }
 
@@ -161,9 +162,12 @@ template <fem::FaceType F> void check_pressure_tangent() {
       x_ad[a][i] = Ad(size, 3 * a + i, x[a][i]);
     }
   }
-  pressure_residual(reference_face<F>(), 1.7, x_ad, r);
+  double pressure[ReferenceFace<F>::points]; // varies over the face
+  for (int p = 0; p < ReferenceFace<F>::points; ++p)
+    pressure[p] = 1.7 + 0.2 * p;
+  pressure_residual(reference_face<F>(), pressure, x_ad, r);
   double k[size * size];
-  pressure_tangent(reference_face<F>(), 1.7, x, k);
+  pressure_tangent(reference_face<F>(), pressure, x, k);
   double largest = 0.0, asymmetry = 0.0;
   for (int p = 0; p < size; ++p)
     for (int q = 0; q < size; ++q) {
@@ -204,6 +208,73 @@ TEST(Loads, PressureTangentThroughContribution) {
     for (std::size_t p = 0; p < size; ++p)
       EXPECT_NEAR(k[p * size + q], plus[p] - system.residual[p], 1e-13);
   }
+}
+
+/// f(x, t) = (2 + x y) t: its integral over a cube or a square [-1, 1] is that of the constant, its
+/// first moment about the middle is not.
+Amount bilinear(int& calls) {
+  return {"(2 + x*y)*t", [&calls](const Vec3& x, double t) {
+            ++calls;
+            return (2.0 + x[0] * x[1]) * t;
+          }};
+}
+
+// An expression is not ramped by t; a curve multiplies it. Evaluated once for each time.
+TEST(Loads, ExpressionsAreIntegratedAtTheirPoints) {
+  std::mt19937 engine(3);
+  for (const CellType type : {CellType::hex8, CellType::hex20, CellType::hex27})
+    for (const LoadKind kind : {LoadKind::traction, LoadKind::body_force}) {
+      const mesh::Mesh mesh = one_element(type, engine, 0.0);
+      int calls = 0;
+      LoadOptions o = load(kind, kind == LoadKind::traction ? "side5" : "body");
+      o.vector = {0.0, bilinear(calls), 4.0};
+      for (const bool with_curve : {false, true}) {
+        LoadContribution c(mesh, o, [&]() -> std::function<double(double)> {
+          return with_curve ? [](double t) { return 10.0 * t; } : std::function<double(double)>();
+        }());
+        const double curve = with_curve ? 5.0 : 1.0, ramp = with_curve ? 5.0 : 0.5;
+        abut_test::DenseSystem system(mesh.num_local(), 3);
+        system.evaluate(c, true, 0.5);
+        double y_force = 0.0, z_force = 0.0, twist = 0.0; // twist: sum of f_y x y, exact for Q1
+        for (std::size_t a = 0; a < system.u.size(); a += 3) {
+          y_force -= system.residual[a + 1];
+          z_force -= system.residual[a + 2];
+          twist -= system.residual[a + 1] * mesh.x[a] * mesh.x[a + 1];
+        }
+        const double measure = kind == LoadKind::traction ? 4.0 : 8.0;
+        EXPECT_NEAR(y_force, 2.0 * 0.5 * curve * measure, 1e-13);
+        EXPECT_NEAR(z_force, 4.0 * ramp * measure, 1e-13);
+        EXPECT_NEAR(twist, 0.5 * curve * measure / 9.0, 1e-13); // int x^2 y^2
+        const int before = calls;
+        system.u = test::random_vector(system.u.size(), 0.3, engine);
+        system.evaluate(c, true, 0.5);
+        EXPECT_EQ(calls, before);
+        system.evaluate(c, false, 0.75);
+        EXPECT_EQ(calls, 2 * before);
+        calls = 0;
+      }
+    }
+}
+
+// The pressure is that of the reference position, whatever the displacement.
+TEST(Loads, PressureExpressionFollowsTheMaterial) {
+  std::mt19937 engine(4);
+  const mesh::Mesh mesh = one_element(CellType::hex8, engine, 0.0);
+  int calls = 0;
+  LoadOptions o = load(LoadKind::pressure, "side5"); // z = 1
+  o.pressure = bilinear(calls);
+  LoadContribution c(mesh, o, {});
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  for (std::size_t i = 0; i < system.u.size(); i += 3)
+    system.u[i] = 0.5 * mesh.x[i] + 7.0;
+  system.evaluate(c, false, 2.0);
+  double force = 0.0, twist = 0.0;
+  for (std::size_t a = 0; a < system.u.size(); a += 3) {
+    force += system.residual[a + 2];
+    twist += system.residual[a + 2] * mesh.x[a] * mesh.x[a + 1];
+  }
+  EXPECT_NEAR(force, 2.0 * 2.0 * 6.0, 1e-13);
+  EXPECT_NEAR(twist, 2.0 * 6.0 / 9.0, 1e-13);
 }
 
 TEST(Loads, UnknownPlaceIsADefect) {

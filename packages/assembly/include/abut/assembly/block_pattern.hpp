@@ -13,9 +13,16 @@ namespace abut::assembly {
 
 /// Where the blocks of a set of cells go. Valid for one pattern and one connectivity.
 struct CellPositions {
-  std::vector<Local> row;                   ///< (slots) block row, owned then shared, or -1
+  std::vector<Local> row;                   ///< (slots) block row, owned then shared; -1; -2 - node
   std::vector<std::int64_t> block_offset;   ///< (cells+1)
-  std::vector<std::int64_t> block_position; ///< first value of block (a, b), or -1
+  std::vector<std::int64_t> block_position; ///< first value of block (a, b); -1; -2 - rigid block
+  std::vector<std::int64_t> rigid_block;    ///< (rigid blocks,2,2) first value, or -1
+};
+
+/// The nodes of the cells given that move with rigid bodies, in the numbering of CellPositions.
+struct PatternRigidNodes {
+  std::vector<Local> body;
+  std::vector<double> x; ///< (rigid nodes,3) reference coordinates [length]
 };
 
 /// Sparsity of the operator in blocks of fields x fields. A rank holds its owned rows in full and,
@@ -37,6 +44,13 @@ public:
   std::int64_t num_owned_values() const; ///< scalar values of owned rows: they come first
   const std::vector<Local>& row_length() const { return row_length_; } ///< scalar row length
 
+  const PatternRigidNodes& rigid_nodes() const { return rigid_nodes_; }
+  /// (bodies,2) local block rows of translation and rotation, -1 where no cell of this rank has
+  /// any.
+  const std::vector<Local>& body_rows() const { return body_row_; }
+  /// First value of block (i, j) of an owned body's own rows, 0: translation, 1: rotation.
+  std::int64_t body_block(int body, int i, int j) const;
+
   /// Sends the shared part of values / residual to the owners and adds it there. Collective.
   void add_shared_values(double* values) const;
   void add_shared_residual(double* residual) const;
@@ -47,6 +61,9 @@ public:
 private:
   struct Blocks; // (row, column) pairs in global block rows while building
   void number_columns(const Blocks& blocks);
+  void number_rigid_nodes(const Blocks& blocks);
+  bool locate_block(Local row, Local column, CellPositions& out) const;
+  Local local_row(Global row) const;
   void build_graph();
   void plan_exchange();
   std::int64_t position(Local row, Local column) const;
@@ -58,8 +75,11 @@ private:
   std::vector<Global> column_row_;       ///< (columns) global block row of a local column
   std::vector<Global> shared_row_;       ///< global block row of each shared row, ascending
   std::vector<Local> row_length_;
-  std::unordered_map<Global, Local> column_of_node_; ///< mesh node -> local column, -1: no unknowns
+  /// Mesh node -> local column; -1: no unknowns; -2 - i: rigid node i.
+  std::unordered_map<Global, Local> column_of_node_;
   std::unordered_map<Global, Local> row_of_shared_;
+  PatternRigidNodes rigid_nodes_;
+  std::vector<Local> body_row_, body_column_; ///< (bodies,2), -1: none here
   struct Received {
     std::vector<Local> row;             ///< owned block rows in the order they arrive
     std::vector<std::int64_t> position; ///< of each arriving block

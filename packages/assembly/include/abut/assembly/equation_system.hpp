@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/assembly/block_pattern.hpp"
+#include "abut/assembly/rigid_body.hpp"
 #include "abut/core/contribution.hpp"
 #include "abut/core/timers.hpp"
 
@@ -18,11 +19,27 @@ struct Constraint {
   std::function<double(double)> value;
 };
 
-/// Motion of nodes without unknowns: writes u (N, fields) of such nodes on this rank for time t.
-using PrescribedMotion = std::function<void(double t, double* u)>;
+/// Work done from outside between the accepted states, by the trapezoidal rule [energy].
+struct ExternalWork {
+  double loads = 0.0;
+  double supports = 0.0; ///< prescribed unknowns and prescribed motion of rigid bodies
+};
+
+/// How far the tangent of one contribution is from the slope of its residual.
+struct TangentMismatch {
+  std::string part;
+  double error = 0.0; ///< |K d - slope| / |slope| in the L2 norm [1]
+  double force = 0.0; ///< |slope|: zero when the contribution does not act [force/length]
+  Global node = -1;   ///< id of the node of the worst row; -1: there is no error at all
+  int field = 0;      ///< its component
+};
+
+class RigidBodies;
+struct RowConstraint;
 
 /// The equations of all contributions: f(x) = sum of residuals = 0 for the unknowns that are not
-/// constrained. Rows of other ranks are assembled here and added at their owner.
+/// constrained. Rows of other ranks are assembled here and added at their owner. Forces on nodes of
+/// a rigid body are forces on its center and moments about it.
 /// Every member but the accessors is collective; errors of contributions are thrown on all ranks.
 class EquationSystem {
 public:
@@ -33,7 +50,8 @@ public:
 
   void add(std::shared_ptr<Contribution> contribution);
   void set_constraints(std::vector<Constraint> constraints);
-  void set_motion(PrescribedMotion motion);
+  /// The bodies whose nodes the DofMap knows, in its order; before the first evaluation.
+  void set_rigid_bodies(std::vector<RigidBody> bodies);
   /// Loads and prescribed values from now on are those of load parameter t.
   void set_time(double t);
   double time() const { return time_; }
@@ -57,6 +75,10 @@ public:
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
+  /// Motion of the rigid bodies and reactions on them, as of the last residual. Not collective.
+  std::vector<RigidBodyState> rigid_body_states() const;
+  /// (owned rows, 3) reference coordinates; of a rigid body's rows those of its center. [length]
+  std::vector<double> row_coordinates() const;
 
   /// Right-hand side that moves free unknowns along with a change of the constrained ones.
   void predictor(const Vector& x, Vector& rhs);
@@ -65,14 +87,35 @@ public:
   /// (N, fields) values of all local mesh nodes for x at the present time.
   std::vector<double> nodal_values(const Vector& x) const;
 
+  /// The last residual must be that at x.
   void accept(const Vector& x);
   void reject();
+  const ExternalWork& external_work() const { return external_work_; }
+
+  /// Each contribution's tangent where the residual was last asked, along a random direction of all
+  /// unknowns, against central differences of its residual over +- step [length]. Rows of free
+  /// rigid bodies are left out: their arm stiffness belongs to no contribution.
+  std::vector<TangentMismatch> check_tangent(double step);
 
 private:
   struct Part;
+  /// What the work of the next step starts from.
+  struct WorkState {
+    std::vector<double> x, loads, raw; ///< (owned scalar rows)
+    std::vector<RigidBodyState> bodies;
+  };
   void prepare(const Vector& x);
   void update_pattern();
+  void assemble_residual(bool internal, std::vector<double>& buffer);
+  ResidualScatter residual_scatter(const Part& part, std::vector<double>& buffer);
+  std::vector<double> load_residual();
+  void add_work(const Vector& x);
+  void assemble_tangent_of(Part& part);
+  std::vector<double> tangent_times(std::size_t part, const Vector& d);
+  std::vector<double> residual_of(std::size_t part, const Vector& x);
+  TangentMismatch compare(std::size_t part, const Vector& x, const Vector& d, double step);
   void assemble_tangent();
+  void mark_constrained();
   void copy_constrained(Matrix& matrix) const;
   NodalFields fields() const;
 
@@ -81,16 +124,21 @@ private:
   mesh::GhostExchange ghosts_;
   BlockPattern pattern_;
   std::vector<Part> parts_;
-  std::vector<Constraint> constraints_;
+  std::vector<RowConstraint> constraints_;
+  std::vector<RowConstraint> body_constraints_;
   std::vector<char> constrained_;        ///< (owned scalar rows)
   std::vector<char> constrained_column_; ///< (columns of the graph)
-  PrescribedMotion motion_;
+  std::unique_ptr<RigidBodies> rigid_;
   double time_ = 0.0;
   bool prepared_ = false;
-  std::vector<double> u_;            ///< (N, fields) of the last prepare
-  std::vector<double> raw_values_;   ///< owned and shared values, constraints not applied
+  bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
+  std::vector<double> u_;          ///< (N, fields) of the last prepare
+  std::vector<double> raw_values_; ///< owned and shared values, constraints not applied
   std::vector<double> raw_residual_; ///< owned rows
   std::vector<double> diagonal_;     ///< owned rows of the last tangent, constraints not applied
+  RCP<Vector> last_;                 ///< where the residual was asked last
+  WorkState work_state_;
+  ExternalWork external_work_;
   double reference_force_ = 0.0, round_off_force_ = 0.0;
   RCP<Matrix> matrix_;
 };

@@ -17,18 +17,22 @@ public:
   FacingSurface(const Comm& comm, const mesh::Surface& own, double reach);
 
   /// Fetches the faces that come within `wanted` (boxes of this rank's primary faces, inflated by
-  /// what they need); each face counts with its own reach. x_own: (own nodes, 3) current.
-  /// Collective.
-  void collect(const std::vector<double>& x_own, const std::vector<search::Box<3>>& wanted);
-  /// Fetches the current coordinates of the nodes of the collected faces. Collective.
-  void update(const std::vector<double>& x_own);
+  /// what they need); each face counts with its own reach. x_own, x_previous: (own nodes, 3)
+  /// current and at the last converged step. Collective.
+  void collect(const std::vector<double>& x_own, const std::vector<double>& x_previous,
+               const std::vector<search::Box<3>>& wanted);
+  /// Fetches the coordinates of the nodes of the collected faces. Collective.
+  void update(const std::vector<double>& x_own, const std::vector<double>& x_previous);
 
   Local num_faces() const { return static_cast<Local>(type_.size()); }
   fem::FaceType type(Local face) const { return type_[face]; }
   Global face_id(Local face) const { return face_id_[face]; }
   int nodes(Local face) const { return offset_[face + 1] - offset_[face]; }
-  /// Current coordinates of a face's nodes.
-  void coordinates(Local face, Vec3* y) const;
+  /// The face of this id, -1 when it is not among those here.
+  Local find(Global face_id) const;
+  /// Current coordinates of a face's nodes, and those at the last converged step.
+  void coordinates(Local face, Vec3* y) const { gather(x_, face, y); }
+  void previous_coordinates(Local face, Vec3* y) const { gather(x_previous_, face, y); }
   /// Global mesh nodes of a face.
   void global_nodes(Local face, Global* nodes) const;
   double size(Local face) const { return size_[face]; } ///< reference size [length]
@@ -42,6 +46,7 @@ private:
   void pack(Local face, double size, std::size_t rank, std::vector<char>& taken, Parcels& out);
   void unpack(const Parcels& in);
   search::Box<3> box(Local face) const;
+  void gather(const std::vector<double>& x, Local face, Vec3* y) const;
 
   Comm comm_;
   const mesh::Surface& own_;
@@ -52,7 +57,7 @@ private:
   std::vector<Global> face_id_; ///< ascending: the order does not depend on the partition
   std::vector<Local> offset_, face_nodes_;
   std::vector<Global> node_;
-  std::vector<double> x_; ///< (nodes, 3) current
+  std::vector<double> x_, x_previous_; ///< (nodes, 3)
   std::vector<double> size_, modulus_, inverse_depth_;
   double largest_size_ = 0.0;
   search::Bvh<3> tree_;

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/contact/facet_gap.hpp"
 #include "abut/contact/facing_surface.hpp"
+#include "abut/contact/normal_law.hpp"
 #include "abut/contact/options.hpp"
+#include "abut/contact/point_state.hpp"
 #include "abut/core/contribution.hpp"
 #include "abut/core/log.hpp"
 #include "abut/fem/quadrature.hpp"
 
 #include <array>
+#include <functional>
 #include <map>
 
 namespace abut::contact {
 
 /// What one contact interface carries, over all ranks.
 struct ContactSummary {
-  Global active_points = 0;
+  Global active_points = 0, stick_points = 0, slip_points = 0;
+  Global flips = 0;                ///< changes of status in the last step, over all points
   std::array<double, 3> force{};   ///< on the primary surface [force]
   double max_pressure = 0.0;       ///< of the nodal pressure; Cauchy [pressure]
   double max_point_pressure = 0.0; ///< of the points' pressure; Cauchy [pressure]
@@ -23,58 +26,78 @@ struct ContactSummary {
   double max_penetration_over_face_size = 0.0;
   double min_gap = 0.0, max_gap = 0.0; ///< over points with a partner [length]
   Global points = 0, paired_points = 0;
-  double area = 0.0; ///< reference area of active points [length^2]
+  double area = 0.0;            ///< reference area of active points [length^2]
+  double tangential = 0.0;      ///< integral of the size of the tangential traction [force]
+  double max_slip = 0.0;        ///< longest way slipped since the start [length]
+  double penalty_energy = 0.0;  ///< in the springs of penalty [energy]
+  double dissipation = 0.0;     ///< by friction, since the start [energy]
+  double initial_overlap = 0.0; ///< deepest overlap of the meshes at the start [length]
 };
 
 /// What the next augmentation would do.
 struct Augmentation {
   double change = 0.0;    ///< relative change of the multipliers, L2 [1]
-  double gap = 0.0;       ///< largest penetration over face size [1]
-  bool converged = false; ///< both tolerances hold
-  bool stalled = false;   ///< the penetration has not fallen over several augmentations
+  double gap = 0.0;       ///< largest violation (penetration, motion in stick) over face size [1]
+  double length = 0.0;    ///< the same [length]
+  bool converged = false; ///< the tolerances hold
+  bool stalled = false;   ///< what is beyond its tolerance has not fallen for several augmentations
 };
 
-/// A point that is in contact or touches.
+/// New multipliers of a point after a solve: changes `pressure` and `shear` (tangent, on the
+/// primary) from the present tractions, with which they come in, to the multipliers of the next
+/// solve.
+using MultiplierUpdate =
+    std::function<void(const PointState& point, double& pressure, Vec3& shear)>;
+
+/// A point that is in contact or touches, once for each direction in which it holds.
 struct ClosedPoint {
   Local primary_node;    ///< a surface node of its primary face
   Global secondary_node; ///< a mesh node of its secondary face
-  Vec3 x, normal;        ///< position [length], secondary normal
+  Vec3 x, normal;        ///< position [length], direction that is held
 };
 
 /// Weighted sums at the nodes of the primary faces of a rank; divide by weight after summing over
 /// ranks. One entry for each surface node of the primary surface.
 struct NodalSums {
-  std::vector<double> weight, pressure, gap,
-      status;                   ///< status: 0 open, 1 slip, 2 stick (sum of weights)
+  std::vector<double> weight, pressure, gap, slip;
+  std::vector<double> status;   ///< 0 open, 1 slip, 2 stick (sum of weights)
   std::vector<double> traction; ///< (nodes, 3)
 };
 
-/// One integration point of a primary face: history and what the present configuration gives it.
-struct PointState {
-  double multiplier = 0.0;           ///< trial; per reference area [pressure]
-  double converged_multiplier = 0.0; ///< at the last converged step
-  Local facing = -1;                 ///< secondary face in FacingSurface, -1: no partner in reach
-  Local left = -1;                   ///< secondary face that was the partner before
-  int returns = 0;                   ///< times the point went back to it in this step
-  double xi[2] = {0.0, 0.0};         ///< projection on it
-  double gap = 0.0;                  ///< > 0 open [length]
-  double penalty = 0.0;              ///< [pressure/length]
-  double pressure = 0.0;             ///< per reference area [pressure]
-  bool active = false;               ///< in contact, or touching without pressure
+/// One point as an output file wants it.
+struct PointRecord {
+  Global face; ///< id of the primary face
+  int point;   ///< on the face
+  Vec3 x;      ///< present position [length]
+  Status status;
+  double gap, slip;       ///< [length]
+  double pressure, shear; ///< Cauchy [pressure]
+  Vec3 traction;          ///< Cauchy [pressure]
+  int flips;
 };
 
-/// Frictionless facet-on-facet contact of two surfaces (theory: eq. 564-596), penalty or augmented
-/// Lagrangian. Points are Gauss points of the primary faces, (I,P) with I faces and P points each.
-/// Usable on its own: it takes surfaces, options and a communicator, and gives residual and tangent
-/// blocks over global node numbers. Kokkos must be initialised while it lives.
+/// Contact of two surfaces in one of three formulations, with Coulomb friction, by penalty or
+/// augmented Lagrangian. Points are integration points of the primary faces, (I,P) with I faces and
+/// P points each. Usable on its own: it takes surfaces, options and a communicator, and gives
+/// residual and tangent blocks over global node numbers. Kokkos must be initialised while it lives.
 class Interaction : public Contribution {
 public:
+  /// share: part of the traction that this pass carries, 1/2 when both sides carry points.
   /// Throws InputError when neither surface is deformable and no penalty is given, or a surface is
   /// empty. Collective.
   Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
-              ContactOptions options, PhaseTimers& timers);
+              ContactOptions options, PhaseTimers& timers, double share = 1.0);
   Interaction(const Interaction&) = delete;
   Interaction& operator=(const Interaction&) = delete;
+
+  /// Factors over the load parameter t on penalty and friction coefficient.
+  void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
+  /// Another law of the normal traction; empty: penalty and multiplier.
+  void set_normal_law(NormalLaw law) { normal_law_ = std::move(law); }
+  /// Another update of the multipliers; empty: they become the tractions.
+  void set_update(MultiplierUpdate update) { update_ = std::move(update); }
+  /// The load parameter at which an initial overlap is resolved.
+  void set_end(double t) { end_ = t; }
 
   const char* name() const override { return options_.name.c_str(); }
   Phase phase() const override { return Phase::contact; }
@@ -84,18 +107,19 @@ public:
   const Connectivity& candidates() const override;
   void residual(const NodalFields& fields, const ResidualScatter& scatter) override;
   void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
+  bool symmetric() const override;
   void accept() override;
   void reject() override;
 
-  /// How far the multipliers are from <lambda - eps gap> in the last prepared configuration.
-  /// Collective.
+  /// How far the multipliers are from the tractions in the last prepared configuration. Collective.
   Augmentation augmentation() const;
-  /// lambda <- <lambda - eps gap> at every point. Collective. Prepare again before the next
-  /// residual.
+  /// Multipliers <- tractions at every point, stick and slip alike. Collective. Prepare again
+  /// before the next residual, which then holds every point's status once.
   void augment();
 
   ContactSummary summary() const; ///< Collective.
   NodalSums nodal_sums() const;
+  std::vector<PointRecord> records() const;       ///< of this rank
   std::vector<ClosedPoint> closed_points() const; ///< of this rank
   const mesh::Surface& primary() const { return primary_; }
   const ContactOptions& options() const { return options_; }
@@ -108,49 +132,95 @@ public:
 
 private:
   struct Pair {
-    Local face, facing;
-    std::vector<Local> points; ///< active
+    Local face, facing, anchor; ///< anchor: -1 unless its nodes take part beside those of facing
+    std::vector<Local> points;
   };
-  struct Frame { ///< one point in the current configuration
-    Vec3 x, normal;
+  struct Table { ///< integration points of a face type
+    fem::Rule<2> rule;
+    std::vector<double> N;  ///< (P, nodes)
+    std::vector<double> dN; ///< (P, nodes, 2)
   };
+  struct Query;   ///< what a search looks for
+  struct Partner; ///< what it found
+
   void move_origin();
-  Frame frame(Local face, int point) const;
+  void make_points();
+  PointShape shape(Local face, int point) const;
   void current_coordinates(const NodalFields& fields);
   void collect_if_moved();
-  void project_points();
-  void project(Local face, int point);
+  void start();
+  void start_point(Local face, int point);
+
+  Partner find(const Query& query) const;
+  void visit(const Query& query, Local candidate, double& limit, Partner& inner,
+             Partner& beside) const;
+  Partner nearest(Local face, int point, const PrimaryPoint<double>& at);
+  bool own_neighbour(Local face, Local candidate) const;
+
+  void evaluate_points();
+  void evaluate(Local face, int point);
+  bool evaluate_anchored(Local face, int point, const PrimaryPoint<double>& at, double mu);
+  bool evaluate_inclined(Local face, int point, const PrimaryPoint<double>& at, double mu,
+                         const Vec3& trial);
+  void evaluate_partner(Local face, int point, const PrimaryPoint<double>& at, double mu);
+  bool normal_response(Local face, PointState& state) const;
+  PointRule sliding_rule(const PointState& state, const ContactPoint& c,
+                         const PrimaryPoint<double>& at, const Vec3* y) const;
+  void set_traction(Local face, int point, PointRule rule);
+  /// The point as the kernels take it; y_previous must live as long as the result.
+  ContactPoint contact_point(Local face, int point, const Vec3* y_previous) const;
+  double effective_gap(const PointState& state) const { return state.gap - state.offset; }
+
   void build_pairs();
   double penalty_of(Local face, Local facing) const;
-  const fem::Rule<2>& rule(Local face) const;
-  const std::vector<double>& shape(Local face) const; ///< (P, nodes)
   Local point_index(Local face, int p) const { return first_point_[face] + p; }
   int face_points(Local face) const { return first_point_[face + 1] - first_point_[face]; }
-  void primary_coordinates(Local face, bool reference, Vec3* x) const;
-  double current_area_ratio(Local face, int point) const;
+  const Vec3* primary_nodes(Local face) const { return &x_primary_[first_node_[face]]; }
+  const Vec3* primary_nodes_previous(Local face) const {
+    return &x_primary_previous_[first_node_[face]];
+  }
+  /// Area per point, of the measure of the tractions and in the present configuration [length^2].
+  double measure(Local face, int point) const;
+  double current_area(Local face, int point) const;
+  void advance_history(Local face, int point);
+  Vec3 plastic_slip(Local face, int point, const PrimaryPoint<double>& at) const;
 
   Comm comm_;
   mesh::Surface primary_, secondary_; ///< coordinates relative to origin_
   Vec3 origin_ = Vec3::zero();
   ContactOptions options_;
   PhaseTimers& timers_;
+  double share_;
+  bool self_; ///< primary and secondary are one surface
+  std::function<double(double)> penalty_schedule_, friction_schedule_;
+  NormalLaw normal_law_;
+  MultiplierUpdate update_;
+  double end_ = 1.0, time_ = 0.0, penalty_scale_ = 1.0, friction_ = 0.0;
   FacingSurface facing_;
   double softest_modulus_ = 0.0;
   double slack_ = 0.0;       ///< motion after which faces are collected anew [length]
   std::vector<double> size_; ///< (primary faces) [length]
-  std::map<fem::FaceType, fem::Rule<2>> rules_;
-  std::map<fem::FaceType, std::vector<double>> shapes_;
+  std::map<fem::FaceType, Table> tables_;
   std::vector<Local> first_point_{0};
+  std::vector<std::size_t> first_node_; ///< (primary faces) into x_primary_
   std::vector<PointState> points_;
-  std::vector<double> weight_; ///< (I,P) quadrature weight times reference area [length^2]
-  std::vector<double> x_primary_, x_secondary_; ///< current (nodes, 3)
-  bool collected_ = false;                      ///< on all ranks together
-  std::vector<double> x_primary_collected_, x_secondary_collected_;
+  std::vector<double> weight_;  ///< (I,P) of the quadrature [1]
+  std::vector<double> area_;    ///< (I,P) weight times reference area [length^2]
+  std::vector<double> stretch_; ///< (primary faces) current over reference area at the last step
+  std::vector<Vec3> x_primary_, x_primary_previous_;       ///< (face nodes, in order of the faces)
+  std::vector<double> x_secondary_, x_secondary_previous_; ///< (nodes, 3)
+  bool started_ = false;
+  bool frozen_ = false;    ///< points keep their status in the next search
+  bool new_step_ = true;   ///< the next search is the first of a step
+  int searches_ = 0;       ///< since the last change of history
+  bool collected_ = false; ///< on all ranks together
+  std::vector<Vec3> x_primary_collected_;
+  std::vector<double> x_secondary_collected_;
   std::vector<Pair> pair_list_;
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
-  std::vector<double> last_gaps_; ///< largest penetration before each augmentation of the step
+  std::vector<double> last_gaps_, last_changes_; ///< before each augmentation of the step
 };
 
 } // namespace abut::contact

@@ -47,6 +47,10 @@ enum class Quantity {
   max_pressure,
   max_penetration,
   active_points,
+  stick_points,
+  slip_points,
+  max_slip,
+  friction_dissipation,
   contact_radius,
   displacement_x,
   displacement_y,
@@ -55,15 +59,29 @@ enum class Quantity {
   reaction_y,
   reaction_z,
   newton_iterations,
+  rigid_displacement_x,
+  rigid_displacement_y,
+  rigid_displacement_z,
+  rigid_rotation_x,
+  rigid_rotation_y,
+  rigid_rotation_z,
+  rigid_force_x,
+  rigid_force_y,
+  rigid_force_z,
+  rigid_moment_x,
+  rigid_moment_y,
+  rigid_moment_z,
 };
 /// Whether `place` names a contact interface.
 bool is_contact_quantity(Quantity quantity);
+/// Whether `place` names a rigid body.
+bool is_rigid_quantity(Quantity quantity);
 
 /// One statement about the result by which a deck checks itself.
 struct VerifyOptions {
   std::string name;
   Quantity quantity = Quantity::force_x;
-  std::string place;                          ///< contact interface, node set, side set
+  std::string place;                          ///< contact interface, rigid body, node set, side set
   std::optional<std::array<double, 3>> point; ///< reference coordinates [length]
   double expected = 0.0;
   std::optional<double> tolerance;          ///< absolute
@@ -73,6 +91,9 @@ struct VerifyOptions {
   /// The larger of the two tolerances, absolute.
   double allowed_error() const;
 };
+
+/// What a run tests of its own model.
+enum class ModelCheck { none, tangent };
 
 struct Deck {
   std::string file; ///< the deck's own file name, as given
@@ -88,6 +109,7 @@ struct Deck {
   solver::NewtonOptions newton;
   solver::LinearOptions linear;
   io::OutputOptions output;
+  ModelCheck check = ModelCheck::none;
   std::vector<VerifyOptions> verify;
 
   /// Place of every key given, by its path: "contact.ball_on_floor.primary".

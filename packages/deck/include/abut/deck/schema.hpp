@@ -18,7 +18,7 @@ struct Field {
   };
   Kind kind = Kind::value;
   std::string key;
-  std::string type;    ///< number, whole number, true or false, text, 3 numbers, list of texts
+  std::string type;    ///< number, whole number, number or expression, text, ...
   std::string initial; ///< default as text, empty: none
   std::string range;   ///< "> 0", empty: any
   std::string unit;

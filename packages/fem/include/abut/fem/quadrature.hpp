@@ -32,6 +32,11 @@ Rule<1> line_rule(int n);
 /// degree 2n-2.
 Rule<2> face_rule(FaceType type, int n);
 
+/// Points at the nodes. quad4, tri3, quad9 (Simpson) and tri6 (middle nodes only) have the weights
+/// that integrate their own functions. Those of quad8 would be negative at the corners, where a
+/// penalty then attracts: it has positive ones in the ratio of its lumped mass, 3/19 and 16/19.
+Rule<2> nodal_rule(FaceType type);
+
 /// Rule with n = 1 .. 6 "points per direction"; otherwise throws Defect.
 /// Bricks: n^3 Gauss. Tetrahedra: n = 1, 2, 3 have 1, 4, 15 points, degree 1, 2, 5 (Keast, Comput.
 /// Meth. Appl. Mech. Eng. 55, 1986); above, collapsed (n+1)^3 Gauss, degree 2n-1. Wedges: triangle

@@ -14,7 +14,8 @@ enum class Files {
 struct OutputOptions {
   std::string name; ///< file name without folder and extension; empty: the deck's name
   Files files = Files::automatic;
-  int every = 1; ///< write every n-th converged step; the last one always
+  int every = 1;       ///< write every n-th converged step; the last one always
+  bool points = false; ///< write a table of all contact points beside the fields
 };
 
 } // namespace abut::io

@@ -35,6 +35,9 @@ struct BlockPairOptions {
   double gap = 0.0;      ///< between the two; negative: they overlap
   double rotation = 0.0; ///< turns the upper mesh inside its outline about the normal; 0 at its top
   double turn = 0.0;     ///< turns the whole upper block about the normal
+  double shift = 0.0;    ///< moves the upper block along x
+  double flat = 0.0;     ///< half width along x of the plane part of lower_top, from its middle
+  double drop = 0.0;     ///< beyond it lower_top lies drop (|x - middle| - flat)^2 lower [1/length]
   double distortion = 0.0; ///< random moves of nodes inside, as a fraction of the cell size
   fem::CellType element = fem::CellType::hex8;
 };

@@ -47,24 +47,10 @@ KOKKOS_INLINE_FUNCTION void face_tangents(const ReferenceFace<F>& face, int p, c
     }
 }
 
-/// int N_a dA (nodes): what each node carries of a constant traction.
-template <fem::FaceType F>
-KOKKOS_INLINE_FUNCTION void nodal_areas(const ReferenceFace<F>& face, const Vec3* x, double* area) {
-  for (int a = 0; a < ReferenceFace<F>::nodes; ++a)
-    area[a] = 0.0;
-  for (int p = 0; p < ReferenceFace<F>::points; ++p) {
-    Vec3 t1, t2;
-    face_tangents(face, p, x, t1, t2);
-    const double weight = face.weight[p] * norm(cross(t1, t2));
-    for (int a = 0; a < ReferenceFace<F>::nodes; ++a)
-      area[a] += weight * face.N[p][a];
-  }
-}
-
-/// Residual r_a = p int N_a n da of a pressure p >= 0 that pushes against the outward normal n of
-/// the current face x.
+/// Residual r_a = int p N_a n da of a pressure (points) p >= 0 that pushes against the outward
+/// normal n of the current face x.
 template <fem::FaceType F, class T>
-KOKKOS_INLINE_FUNCTION void pressure_residual(const ReferenceFace<F>& face, double pressure,
+KOKKOS_INLINE_FUNCTION void pressure_residual(const ReferenceFace<F>& face, const double* pressure,
                                               const Vec<T, 3>* x, Vec<T, 3>* r) {
   constexpr int n = ReferenceFace<F>::nodes;
   for (int a = 0; a < n; ++a)
@@ -75,14 +61,14 @@ KOKKOS_INLINE_FUNCTION void pressure_residual(const ReferenceFace<F>& face, doub
     const Vec<T, 3> normal = cross(t1, t2);
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i)
-        r[a][i] += face.weight[p] * pressure * face.N[p][a] * normal[i];
+        r[a][i] += face.weight[p] * pressure[p] * face.N[p][a] * normal[i];
   }
 }
 
 /// Derivative k (3n, 3n) of pressure_residual, node first, row by row; not symmetric:
-/// k_ab = p int N_a (N_b,eta [x,xi]x - N_b,xi [x,eta]x) dxi deta with [v]x w = v x w.
+/// k_ab = int p N_a (N_b,eta [x,xi]x - N_b,xi [x,eta]x) dxi deta with [v]x w = v x w.
 template <fem::FaceType F>
-KOKKOS_INLINE_FUNCTION void pressure_tangent(const ReferenceFace<F>& face, double pressure,
+KOKKOS_INLINE_FUNCTION void pressure_tangent(const ReferenceFace<F>& face, const double* pressure,
                                              const Vec3* x, double* k) {
   constexpr int n = ReferenceFace<F>::nodes;
   for (int i = 0; i < 9 * n * n; ++i)
@@ -91,7 +77,7 @@ KOKKOS_INLINE_FUNCTION void pressure_tangent(const ReferenceFace<F>& face, doubl
     Vec3 t1, t2;
     face_tangents(face, p, x, t1, t2);
     for (int a = 0; a < n; ++a) {
-      const double scale = face.weight[p] * pressure * face.N[p][a];
+      const double scale = face.weight[p] * pressure[p] * face.N[p][a];
       for (int b = 0; b < n; ++b) {
         Vec3 v; // axial vector of the skew block
         for (int i = 0; i < 3; ++i)

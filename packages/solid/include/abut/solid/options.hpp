@@ -1,11 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/tensor.hpp"
+
 #include <array>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace abut::solid {
+
+/// What varies with the load parameter t, and maybe in space: a number, which a curve multiplies
+/// (the load parameter itself where none is given), or an expression, which a curve multiplies only
+/// where one is given.
+struct Amount {
+  using Function = std::function<double(const Vec3& position, double t)>;
+
+  double number = 0.0;
+  std::string expression; ///< as written; empty for a number
+  Function function;      ///< of the reference position; set with an expression
+
+  Amount(double n = 0.0) : number(n) {}
+  Amount(std::string text, Function f) : expression(std::move(text)), function(std::move(f)) {}
+
+  /// Value at a reference position; curve may be empty. Throws what the function throws: InputError
+  /// where the expression is not finite.
+  double at(const Vec3& position, double t, const std::function<double(double)>& curve) const {
+    if (function)
+      return function(position, t) * (curve ? curve(t) : 1.0);
+    return number * (curve ? curve(t) : t);
+  }
+  friend bool operator==(const Amount& a, const Amount& b) {
+    return a.number == b.number && a.expression == b.expression;
+  }
+};
 
 enum class MaterialModel {
   neo_hookean,    ///< W = G/2 (I1-3) - G ln J + lambda/2 (ln J)^2, finite strain
@@ -19,21 +48,34 @@ struct MaterialOptions {
   double poisson = 0.0; ///< -1 < nu < 1/2
 };
 
-/// Motion of a rigid obstacle: displacement, then rotation vector about a point, each times a
-/// curve.
+/// Motion of a rigid body: displacement of its center and rotation vector about it, each times a
+/// curve, but for the components that are free; and loads on the center, for free components.
 struct RigidMotion {
   std::array<double, 3> displacement{}; ///< [length]
   std::array<double, 3> rotation{};     ///< rotation vector [rad]
   std::array<double, 3> center{};       ///< of rotation, reference configuration [length]
   std::string curve;                    ///< empty: the load parameter itself
+  std::array<bool, 6> free{};           ///< components that are unknowns: x, y, z, rx, ry, rz
+  std::array<double, 3> force{};        ///< on the center [force]
+  std::array<double, 3> moment{};       ///< about the center [force length]
+  bool follower = false;                ///< force and moment turn with the body
+  std::string load_curve;               ///< empty: the load parameter itself
+
+  bool has_unknowns() const {
+    for (const bool f : free)
+      if (f)
+        return true;
+    return false;
+  }
 };
 
 struct BodyOptions {
   std::string name;
   std::vector<std::string> blocks;
-  std::string material; ///< empty for a rigid body
+  std::vector<std::string> node_sets; ///< a rigid body's, of other bodies' elements too
+  std::string material;               ///< empty for a rigid body
   bool rigid = false;
-  RigidMotion motion; ///< of a rigid body: prescribed, it has no unknowns
+  RigidMotion motion; ///< of a rigid body
 };
 
 /// Displacement of the nodes of a set. components[i]: whether direction i is prescribed.
@@ -41,7 +83,7 @@ struct DisplacementOptions {
   std::string name;
   std::string set; ///< node set, or side set (all its nodes)
   std::array<bool, 3> components{};
-  std::array<double, 3> values{}; ///< [length]
+  std::array<Amount, 3> values{}; ///< [length]
   std::string curve;
 };
 
@@ -56,8 +98,8 @@ struct LoadOptions {
   std::string name;
   LoadKind kind = LoadKind::traction;
   std::string place; ///< side set, block or node set
-  std::array<double, 3> vector{};
-  double pressure = 0.0;
+  std::array<Amount, 3> vector{};
+  Amount pressure;
   std::string curve;
 };
 

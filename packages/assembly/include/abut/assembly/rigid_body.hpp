@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/tensor.hpp"
+
+#include <array>
+#include <functional>
+#include <string>
+
+namespace abut::assembly {
+
+/// A set of nodes that moves as one: translation of a center and rotation about it. Each of the six
+/// components (translation along x, y, z [length], rotation vector [rad]) is an unknown or follows
+/// a function of the load parameter t. docs/theory/rigid_bodies.md
+struct RigidBody {
+  using Function = std::function<double(double)>;
+
+  std::string name;
+  Vec3 center = Vec3::zero();           ///< reference configuration [length]
+  std::array<Function, 6> prescribed{}; ///< empty: an unknown
+  Vec3 force = Vec3::zero();            ///< on the center [force]
+  Vec3 moment = Vec3::zero();           ///< about the center [force length]
+  Function load_factor;                 ///< of force and moment; empty: 1
+  bool follower = false;                ///< force and moment turn with the body
+
+  bool has_unknowns() const {
+    for (const Function& f : prescribed)
+      if (!f)
+        return true;
+    return false;
+  }
+};
+
+/// Where a body is, and what its prescribed components exert on it.
+struct RigidBodyState {
+  Vec3 displacement = Vec3::zero(); ///< of the center [length]
+  Vec3 rotation = Vec3::zero();     ///< rotation vector, whole turns counted [rad]
+  Vec3 force = Vec3::zero();        ///< zero in components that are unknowns [force]
+  Vec3 moment = Vec3::zero();       ///< about the current center [force length]
+};
+
+} // namespace abut::assembly

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/assembly/block_pattern.hpp"
+#include "abut/assembly/rigid_body.hpp"
+#include "abut/core/scatter.hpp"
+
+#include <vector>
+
+namespace abut::assembly {
+
+/// Where one body is for given unknowns and t; the same on all ranks.
+struct Placement {
+  Vec3 displacement = Vec3::zero();
+  Mat3 rotation = Mat3::identity();  ///< of the reference configuration
+  Vec3 step_rotation = Vec3::zero(); ///< rotation vector since the last accepted state
+  std::array<double, 6> unknowns{};  ///< rows of translation and rotation [length]
+};
+
+/// A scalar row of a body that is prescribed.
+struct RowConstraint {
+  Local row = 0; ///< owned scalar row
+  std::function<double(double)> value;
+};
+
+/// The rigid bodies of an EquationSystem: motion, maps of the reduction, loads. The unknowns of a
+/// rotation are the sum of the steps' rotation vectors times the body's length, so that all rows
+/// are forces and all unknowns lengths.
+class RigidBodies {
+public:
+  /// Collective. One body for each that the map knows.
+  RigidBodies(const DofMap& dofs, std::vector<RigidBody> bodies);
+
+  bool empty() const { return bodies_.empty(); }
+  bool have_unknowns() const { return have_unknowns_; }
+  bool symmetric() const; ///< whether no rotation is an unknown
+  std::vector<RowConstraint> constraints() const;
+
+  /// Collective.
+  std::vector<Placement> place(const Vector& x, double t) const;
+  /// Writes u (N,3) of the local nodes that move with bodies.
+  void displace(const std::vector<Placement>& placements, double* u) const;
+
+  /// Sets the trial state; throws SolveError where a body turned too far for one step.
+  void move(std::vector<Placement> placements);
+  /// Whether the trial state is exactly this one.
+  bool stands_at(const std::vector<Placement>& placements) const;
+  /// Writes the reference centers into the owned rows of x (rows,3).
+  void put_centers(double* x) const;
+  /// The trial state becomes history.
+  void accept();
+
+  /// Brings arms and rows up to date with the trial state and a pattern.
+  void follow(const BlockPattern& pattern);
+  RigidScatter scatter(const CellPositions& positions);
+
+  void clear_forces() { force_.assign(12 * bodies_.size(), 0.0); }
+  /// Adds minus the bodies' loads at t to their owned rows.
+  void add_loads(double t, double* residual) const;
+  /// Sums the forces on the nodes over the ranks. Collective.
+  void sum_forces();
+  /// Adds to the owned rows how moments change with arms, and follower loads with the rotation; for
+  /// the forces of the last sum.
+  void add_stiffness(double t, const BlockPattern& pattern, double* values) const;
+
+  /// After sum_forces at t.
+  std::vector<RigidBodyState> states(double t) const;
+
+private:
+  Vec3 load(std::size_t body, const Vec3& vector, double t) const;
+  bool owns(std::size_t body) const;
+  std::size_t first_owned_row(std::size_t body) const; ///< scalar row of an owned body
+
+  const DofMap& dofs_;
+  std::vector<RigidBody> bodies_;
+  std::vector<double> length_; ///< of each body: its largest arm, or 1 [length]
+  bool have_unknowns_ = false;
+  std::vector<Mat3> accepted_rotation_;
+  std::vector<Vec3> accepted_vector_;   ///< rotation vector of the above, whole turns counted
+  std::vector<Vec3> accepted_unknowns_; ///< of rotation [length]
+  std::vector<Placement> placements_;
+  std::vector<double> arm_, lever_, turn_, force_; ///< RigidScatter's
+  const BlockPattern* pattern_ = nullptr;
+};
+
+} // namespace abut::assembly

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What points remember: the start, augmentations, the end of a step.
+#include "abut/core/error.hpp"
+#include "constants.hpp"
+#include "point_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::contact {
+
+namespace {
+constexpr double plateau_ratio = 0.98; ///< an augmentation that leaves more of the gap than this...
+constexpr std::size_t plateau_count = 3; ///< ...so many times in a row changes nothing any more
+
+/// Whether a measure has stopped falling, with its values before earlier augmentations.
+bool plateau(const std::vector<double>& earlier, double now) {
+  if (earlier.size() < plateau_count)
+    return false;
+  for (std::size_t k = 0; k < plateau_count; ++k) {
+    const double before = earlier[earlier.size() - 1 - k];
+    if (now <= plateau_ratio * before)
+      return false;
+    now = before;
+  }
+  return true;
+}
+} // namespace
+
+/// First search, in the configuration that the run starts from.
+void Interaction::start() {
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      start_point(f, p);
+      PointState& state = points_[point_index(f, p)];
+      state.converged = state.history;
+    }
+}
+
+/// Points that touch or overlap at the start are in contact already, so that their friction has an
+/// anchor from the first step on.
+void Interaction::start_point(Local f, int p) {
+  PointState& state = points_[point_index(f, p)];
+  const auto at = primary_point(shape(f, p), primary_nodes(f));
+  const Partner best = nearest(f, p, at);
+  if (best.face < 0)
+    return;
+  PointHistory& history = state.history;
+  history.gap = best.gap;
+  if (options_.initial_overlap != InitialOverlap::keep)
+    state.overlap = std::max(0.0, options_.offset - best.gap);
+  const double gap = best.gap - options_.offset;
+  history.in_contact = options_.tied ? std::fabs(gap) <= options_.tie_distance * size_[f]
+                                     : gap <= touching_gap * size_[f];
+  if (!history.in_contact)
+    return;
+  history.anchor = facing_.face_id(best.face);
+  history.anchor_xi[0] = best.xi[0];
+  history.anchor_xi[1] = best.xi[1];
+  if (!options_.tied)
+    return;
+  // The distance at the start strains nothing: lambda cancels it.
+  Vec3 y[fem::max_face_nodes];
+  facing_.coordinates(best.face, y);
+  fem::FacePoint<double> on;
+  fem::face_point(facing_.type(best.face), y, best.xi, on);
+  const Vec3 lambda = -penalty_of(f, best.face) * (on.x - at.x - options_.offset * at.normal);
+  history.multiplier = -dot(at.normal, lambda);
+  history.carried = store_traction(at, lambda + history.multiplier * at.normal);
+}
+
+Augmentation Interaction::augmentation() const {
+  double sums[2] = {0.0, 0.0}, gap = 0.0, length = 0.0;
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      const Local i = point_index(f, p);
+      const PointState& state = points_[i];
+      const auto at = primary_point(shape(f, p), primary_nodes(f));
+      const Vec3 shear = state.traction - state.pressure * state.normal;
+      const Vec3 change = shear - turned_traction(state.history.carried, at);
+      const double normal_change = state.pressure - state.history.multiplier;
+      sums[0] += area_[i] * (normal_change * normal_change + dot(change, change));
+      sums[1] += area_[i] * dot(state.traction, state.traction);
+      if (state.facing < 0)
+        continue;
+      double violation = -effective_gap(state);
+      if (state.status() == Status::stick && state.penalty > 0.0)
+        violation = std::max(violation, norm(change) / state.penalty);
+      gap = std::max(gap, violation / size_[f]);
+      length = std::max(length, violation);
+    }
+  comm_.sum(sums, 2);
+  Augmentation result;
+  result.gap = comm_.max(gap);
+  result.length = comm_.max(length);
+  result.change = sums[1] > 0.0 ? std::sqrt(sums[0] / sums[1]) : sums[0] > 0.0 ? 1.0 : 0.0;
+  const bool settled = result.change <= options_.multiplier_tolerance;
+  const bool closed = (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
+                      (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
+  result.converged = settled && closed;
+  // A tolerance that is not met while what it bounds still falls is worth another solve.
+  result.stalled = !result.converged && (settled || plateau(last_changes_, result.change)) &&
+                   (closed || plateau(last_gaps_, result.gap));
+  return result;
+}
+
+void Interaction::augment() {
+  const Augmentation before = augmentation();
+  last_gaps_.push_back(before.gap);
+  last_changes_.push_back(before.change);
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      PointState& state = points_[point_index(f, p)];
+      const auto at = primary_point(shape(f, p), primary_nodes(f));
+      double pressure = state.pressure; // <lambda - eps gap>
+      Vec3 shear = state.traction - pressure * state.normal;
+      if (update_)
+        update_(state, pressure, shear);
+      state.history.multiplier = pressure;
+      state.history.carried = state.pressed() ? store_traction(at, shear) : StoredTraction();
+    }
+  frozen_ = true;
+  searches_ = 0;
+}
+
+/// Part of the step's slip that no spring stores, tangent to the contact [length].
+Vec3 Interaction::plastic_slip(Local f, int p, const PrimaryPoint<double>& at) const {
+  const PointState& state = points_[point_index(f, p)];
+  Vec3 y[fem::max_face_nodes], z[fem::max_face_nodes];
+  facing_.coordinates(state.facing, y);
+  if (state.rule == PointRule::inclined_slip) {
+    facing_.coordinates(state.anchor, z);
+    const ContactPoint c = contact_point(f, p, nullptr);
+    fem::FacePoint<double> anchor, hit;
+    fem::face_point(c.anchor_face, z, c.anchor_xi, anchor);
+    fem::face_point(c.face, y, c.xi, hit);
+    return anchor.x - hit.x;
+  }
+  facing_.previous_coordinates(state.facing, z);
+  const ContactPoint c = contact_point(f, p, z);
+  const Vec3 slip =
+      contact_share(c, effective_gap(state)) * objective_slip(c, contact_partner(c, at, y));
+  const Vec3 shear = state.traction - state.pressure * state.normal;
+  return slip + (1.0 / state.penalty) * (shear - turned_traction(state.history.carried, at));
+}
+
+/// The trial state of the step becomes history. What each map carries on: the anchored maps their
+/// anchor, moved where the point slipped; the incremental one its tangential traction.
+void Interaction::advance_history(Local f, int p) {
+  PointState& state = points_[point_index(f, p)];
+  PointHistory& history = state.history;
+  history.gap = state.facing >= 0 ? state.gap : options_.reach * size_[f];
+  history.in_contact = state.active();
+  if (!state.active()) {
+    if (!options_.tied) {
+      history.anchor = -1;
+      history.carried = {};
+    }
+    return;
+  }
+  if (state.rule == PointRule::frictionless || state.rule == PointRule::anchored)
+    return;
+  const auto at = primary_point(shape(f, p), primary_nodes(f));
+  const Vec3 shear = state.traction - state.pressure * state.normal;
+  if (state.status() == Status::slip) {
+    const Vec3 slip = plastic_slip(f, p, at);
+    history.path += norm(slip - dot(state.normal, slip) * state.normal);
+    history.dissipated += std::fabs(dot(shear, slip));
+  }
+  if (options_.map() != FrictionMap::incremental) {
+    history.anchor = facing_.face_id(state.facing);
+    history.anchor_xi[0] = state.xi[0];
+    history.anchor_xi[1] = state.xi[1];
+  }
+  if (state.rule == PointRule::incremental_stick || state.rule == PointRule::incremental_slip)
+    history.carried = store_traction(at, shear);
+}
+
+void Interaction::accept() {
+  for (Local f = 0; f < primary_.num_faces(); ++f) {
+    for (int p = 0; p < face_points(f); ++p) {
+      PointState& state = points_[point_index(f, p)];
+      advance_history(f, p);
+      state.converged = state.history;
+      state.returns = 0;
+      state.left = -1;
+    }
+    if (options_.update_penalty) {
+      double now = 0.0, then = 0.0;
+      for (int p = 0; p < face_points(f); ++p) {
+        now += current_area(f, p);
+        then += area_[point_index(f, p)];
+      }
+      stretch_[f] = then > 0.0 ? now / then : 1.0;
+    }
+  }
+  new_step_ = true;
+  x_primary_previous_ = x_primary_;
+  x_secondary_previous_ = x_secondary_;
+  facing_.update(x_secondary_, x_secondary_previous_);
+  last_gaps_.clear();
+  last_changes_.clear();
+  searches_ = 0;
+}
+
+void Interaction::reject() {
+  for (PointState& p : points_) {
+    p.history = p.converged;
+    p.returns = 0;
+    p.near = p.facing = p.left = -1; // the retry must not see where the failure led
+  }
+  last_gaps_.clear();
+  last_changes_.clear();
+  searches_ = 0;
+  new_step_ = true;
+  frozen_ = false;
+}
+
+} // namespace abut::contact

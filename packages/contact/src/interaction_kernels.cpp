@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/contact/interaction.hpp"
+
+#include "abut/core/error.hpp"
+#include "point_tangents.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <algorithm>
+
+namespace abut::contact {
+
+namespace {
+
+constexpr int max_nodes = 3 * fem::max_face_nodes;
+
+/// Positions of the nodes of a pair's secondary faces.
+struct SecondaryNodes {
+  Vec3 y[fem::max_face_nodes], y_previous[fem::max_face_nodes], z[fem::max_face_nodes];
+};
+
+SecondaryNodes secondary_nodes(const FacingSurface& surface, Local facing, Local anchor) {
+  SecondaryNodes s;
+  surface.coordinates(facing, s.y);
+  surface.previous_coordinates(facing, s.y_previous);
+  surface.coordinates(anchor >= 0 ? anchor : facing, s.z);
+  return s;
+}
+
+void make_symmetric(int size, double* k) {
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < i; ++j)
+      k[i * size + j] = k[j * size + i] = 0.5 * (k[i * size + j] + k[j * size + i]);
+}
+
+} // namespace
+
+bool Interaction::symmetric() const {
+  return options_.tangent == Tangent::symmetric ||
+         (!options_.uses_ray() && !options_.tied && options_.friction == 0.0);
+}
+
+void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
+  using Execution = Kokkos::DefaultHostExecutionSpace;
+  Kokkos::parallel_for(
+      "abut::contact::residual",
+      Kokkos::RangePolicy<Execution>(0, static_cast<Local>(pair_list_.size())), [&](Local i) {
+        const Pair& pair = pair_list_[i];
+        const auto s = secondary_nodes(facing_, pair.facing, pair.anchor);
+        double r[max_nodes * 3] = {};
+        for (Local p : pair.points) {
+          if (points_[point_index(pair.face, p)].touching)
+            continue;
+          const ContactPoint c = contact_point(pair.face, p, s.y_previous);
+          point_force(c, point_traction<double>(c, primary_nodes(pair.face), s.y, s.z), r);
+        }
+        scatter.add(i, r);
+      });
+}
+
+void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
+  using Execution = Kokkos::DefaultHostExecutionSpace;
+  int singular = 0;
+  Kokkos::parallel_reduce(
+      "abut::contact::tangent",
+      Kokkos::RangePolicy<Execution>(0, static_cast<Local>(pair_list_.size())),
+      [&](Local i, int& failed) {
+        const Pair& pair = pair_list_[i];
+        const auto s = secondary_nodes(facing_, pair.facing, pair.anchor);
+        const int n = 3 * pairs_.size(i);
+        double k[9 * max_nodes * max_nodes];
+        std::fill_n(k, n * n, 0.0);
+        for (Local p : pair.points) {
+          const ContactPoint c = contact_point(pair.face, p, s.y_previous);
+          const Vec3* x = primary_nodes(pair.face);
+          const bool one_face = pair.anchor < 0;
+          const bool fine = options_.tangent == Tangent::automatic
+                                ? automatic_tangent(c, x, s.y, s.z, one_face, k)
+                                : closed_tangent(c, x, s.y, s.z, one_face, k);
+          failed += !fine;
+        }
+        if (options_.tangent == Tangent::symmetric)
+          make_symmetric(n, k);
+        scatter.add(i, k);
+      },
+      singular);
+  if (singular > 0)
+    throw SolveError("contact." + options_.name + ": " + std::to_string(singular) +
+                     " points lie at the centre of curvature of '" + secondary_.name +
+                     "', or their ray runs along it");
+}
+
+} // namespace abut::contact

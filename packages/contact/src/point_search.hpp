@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/contact/interaction.hpp"
+
+namespace abut::contact {
+
+/// What a point looks for: its closest point, or where a line meets the secondary surface.
+struct Interaction::Query {
+  Local face = -1; ///< primary face of the point
+  Vec3 x, normal;  ///< of the primary at the point
+  bool line = false;
+  Vec3 origin, direction; ///< of the line
+  double reach = 0.0;     ///< of the point; a large secondary face may reach further [length]
+  Local last = -1;        ///< partner of the last search, -1: none
+  double last_xi[2] = {0.0, 0.0};
+  double hold = 0.0; ///< margin within which the last partner is kept; 0: it is not
+};
+
+struct Interaction::Partner {
+  Local face = -1;
+  double distance = 0.0, gap = 0.0, xi[2] = {0.0, 0.0};
+
+  /// Nearer, or as near with the lower face number: one partner on any number of ranks.
+  bool beaten_by(double other_distance, Local other) const {
+    return face < 0 || other_distance < distance || (other_distance == distance && other < face);
+  }
+};
+
+} // namespace abut::contact
