@@ -211,6 +211,10 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     const double force = diagonal_[i] * unknowns(i, 0);
     stiff += force * force;
   }
+  double positions = 0.0; // the same for rounding of positions, by its own unit
+  for (const Part& p : parts_)
+    positions += p.contribution->round_off_force2();
+  stiff += positions / (round_off * round_off);
   double all[3] = {norms[0], norms[1], stiff};
   comm.sum(all, 3);
   reference_force_ = std::sqrt(std::max(all[0], all[1]));

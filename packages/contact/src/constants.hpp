@@ -12,7 +12,9 @@ constexpr double hold_margin =
 constexpr int swings = 2; ///< returns to the face just left that count as swinging
 constexpr double outward_share = -1e-2; ///< cosine between normals below which faces oppose
 constexpr double lock_share = 0.05; ///< least cosine between an inclined ray and the face it meets
-constexpr double frozen_margin = 0.5;  ///< how far beside its face a partner may go that stays
+constexpr double frozen_margin = 0.5; ///< how far beside its face a partner may go that stays
+constexpr int early_searches = 6;     ///< of a solve, in which its contact may be far from balance
+constexpr double moderate_depth = 0.01; ///< penetration in face sizes, see moderate()
 constexpr double own_body_depth = 0.5; ///< of the elements: deeper is the other side of a thin body
 
 } // namespace abut::contact

@@ -67,6 +67,9 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
     total += s;
   slack_ = comm_.sum(total) /
            double(comm_.sum(Global(primary_.num_faces()) + Global(secondary_.num_faces())));
+  smallest_size_ = size_.empty() ? std::numeric_limits<double>::max()
+                                 : *std::min_element(size_.begin(), size_.end());
+  smallest_size_ = comm_.min(smallest_size_);
   make_points();
 }
 
@@ -146,16 +149,24 @@ void Interaction::current_coordinates(const NodalFields& fields) {
 }
 
 void Interaction::collect_if_moved() {
-  if (collected_ &&
-      comm_.max(largest_motion(x_primary_.empty() ? nullptr : x_primary_[0].v,
-                               x_primary_.empty() ? nullptr : x_primary_collected_[0].v,
-                               x_primary_.size())) +
-              comm_.max(largest_motion(x_secondary_.data(), x_secondary_collected_.data(),
-                                       x_secondary_.size() / 3)) <=
+  const auto motion_of_primary = [&](const std::vector<Vec3>& then) {
+    return x_primary_.empty() ? 0.0 : largest_motion(x_primary_[0].v, then[0].v, x_primary_.size());
+  };
+  const auto motion_of_secondary = [&](const std::vector<double>& then) {
+    return largest_motion(x_secondary_.data(), then.data(), x_secondary_.size() / 3);
+  };
+  motion_ = comm_.max(motion_of_primary(x_primary_previous_)) +
+            comm_.max(motion_of_secondary(x_secondary_previous_));
+  if (motion_ <= options_.reach * smallest_size_)
+    motion_ = 0.0;
+  if (collected_ && motion_ <= collected_motion_ &&
+      comm_.max(motion_of_primary(x_primary_collected_)) +
+              comm_.max(motion_of_secondary(x_secondary_collected_)) <=
           slack_) {
     facing_.update(x_secondary_, x_secondary_previous_);
     return;
   }
+  collected_motion_ = motion_;
   std::vector<Global> near;
   for (const PointState& p : points_)
     near.push_back(p.near >= 0 ? facing_.face_id(p.near) : -1);
@@ -167,7 +178,7 @@ void Interaction::collect_if_moved() {
     Box<3> b = Box<3>::empty();
     for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a)
       b.add(primary_nodes(f)[a].v);
-    b.inflate(options_.reach * size_[f] + slack_);
+    b.inflate(std::max(options_.reach * size_[f], motion_) + slack_);
     boxes.push_back(b);
   }
   search::Bvh<3> tree;

@@ -2,6 +2,7 @@
 #include "abut/contact/interaction.hpp"
 
 #include "abut/core/error.hpp"
+#include "constants.hpp"
 #include "point_tangents.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -26,6 +27,14 @@ SecondaryNodes secondary_nodes(const FacingSurface& surface, Local facing, Local
   return s;
 }
 
+/// Far from equilibrium a deep point presses so hard that the terms of the tangent that turn its
+/// force would outweigh all others: they are taken for a pressure that is not deeper than this.
+void moderate(ContactPoint& c, const PointState& state, double size) {
+  const double excess = state.pressure - moderate_depth * size * c.penalty;
+  if (excess > 0.0 && c.ray)
+    c.multiplier -= excess;
+}
+
 void make_symmetric(int size, double* k) {
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < i; ++j)
@@ -37,6 +46,20 @@ void make_symmetric(int size, double* k) {
 bool Interaction::symmetric() const {
   return options_.tangent == Tangent::symmetric ||
          (!options_.uses_ray() && !options_.tied && options_.friction == 0.0);
+}
+
+/// A gap is a difference of positions: it is known to a few units in their last place.
+double Interaction::round_off_force2() const {
+  constexpr double last_place = 1e-15;
+  double sum = 0.0;
+  for (const Pair& pair : pair_list_)
+    for (Local p : pair.points) {
+      const double known = last_place * norm(primary_nodes(pair.face)[0]);
+      const double force =
+          measure(pair.face, p) * points_[point_index(pair.face, p)].penalty * known;
+      sum += force * force;
+    }
+  return sum;
 }
 
 void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
@@ -70,7 +93,9 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
         double k[9 * max_nodes * max_nodes];
         std::fill_n(k, n * n, 0.0);
         for (Local p : pair.points) {
-          const ContactPoint c = contact_point(pair.face, p, s.y_previous);
+          ContactPoint c = contact_point(pair.face, p, s.y_previous);
+          if (searches_ <= early_searches)
+            moderate(c, points_[point_index(pair.face, p)], size_[pair.face]);
           const Vec3* x = primary_nodes(pair.face);
           const bool one_face = pair.anchor < 0;
           const bool fine = options_.tangent == Tangent::automatic

@@ -38,6 +38,18 @@ search::Projection meet_face(bool line, fem::FaceType type, const Vec3* y, const
 
 } // namespace
 
+/// Whether the point has passed through the face since the last converged step: a fast point must
+/// not leave its partner behind by more than the reach and go free.
+bool Interaction::crossed(const Query& q, Local candidate, const double xi[2], double gap) const {
+  if (gap >= 0.0 || motion_ == 0.0)
+    return false;
+  Vec3 y[fem::max_face_nodes];
+  facing_.previous_coordinates(candidate, y);
+  fem::FacePoint<double> then;
+  fem::face_point(facing_.type(candidate), y, xi, then);
+  return dot(cross(then.tangent[0], then.tangent[1]), q.x_previous - then.x) >= 0.0;
+}
+
 /// A projection within the margin beside a face (the point lies above a concave edge, or just off
 /// the rim) counts only when no face with a projection inside is about as near.
 void Interaction::visit(const Query& q, Local candidate, double& limit, Partner& inner,
@@ -74,7 +86,8 @@ void Interaction::visit(const Query& q, Local candidate, double& limit, Partner&
   if (dot(at.normal, q.normal) > outward_share ||
       (q.line && std::fabs(dot(at.normal, q.direction)) < lock_share * norm(q.direction)))
     return;
-  if (distance > std::max(q.reach, options_.reach * facing_.size(candidate)))
+  if (distance > std::max(q.reach, options_.reach * facing_.size(candidate)) &&
+      !crossed(q, candidate, found.xi, gap))
     return;
   if (self_ && gap < 0.0 && -gap * facing_.inverse_depth(candidate) > own_body_depth)
     return;
@@ -89,8 +102,7 @@ void Interaction::visit(const Query& q, Local candidate, double& limit, Partner&
 /// Normals jump from face to face, so that a balance right at an edge would be missed from both
 /// sides: a point that swings between two faces is held on one.
 Interaction::Partner Interaction::find(const Query& q) const {
-  const double own_reach = q.reach;
-  double limit = std::max(own_reach, options_.reach * facing_.largest_size());
+  double limit = std::max({q.reach, options_.reach * facing_.largest_size(), motion_});
   if (q.line)
     limit += norm(q.origin - q.x);
   Partner inner, beside;
@@ -123,6 +135,7 @@ Interaction::Partner Interaction::nearest(Local face, int point, const PrimaryPo
   q.normal = at.normal;
   q.direction = -at.normal;
   q.line = options_.uses_ray();
+  q.x_previous = primary_point(shape(face, point), primary_nodes_previous(face)).x;
   q.reach = options_.reach * size_[face];
   q.last = state.near;
   q.last_xi[0] = state.near_xi[0];

@@ -9,6 +9,7 @@ namespace abut::contact {
 struct Interaction::Query {
   Local face = -1; ///< primary face of the point
   Vec3 x, normal;  ///< of the primary at the point
+  Vec3 x_previous; ///< at the last converged step
   bool line = false;
   Vec3 origin, direction; ///< of the line
   double reach = 0.0;     ///< of the point; a large secondary face may reach further [length]

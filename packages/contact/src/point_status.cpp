@@ -28,13 +28,16 @@ ContactPoint Interaction::contact_point(Local face, int point, const Vec3* y_pre
   c.offset = state.offset;
   c.multiplier = state.multiplier;
   c.carried = state.history.carried;
+  if (state.history.has_joined)
+    for (int i = 0; i < 3; ++i)
+      c.carried.component[i] += state.history.joined.component[i];
   c.face = state.facing >= 0 ? facing_.type(state.facing) : fem::FaceType::quad4;
   c.xi[0] = state.xi[0];
   c.xi[1] = state.xi[1];
   c.anchor_face = state.anchor >= 0 ? facing_.type(state.anchor) : c.face;
   c.anchor_xi[0] = state.history.anchor_xi[0];
   c.anchor_xi[1] = state.history.anchor_xi[1];
-  c.first = !state.converged.in_contact;
+  c.first = !state.converged.in_contact && !state.history.has_joined;
   c.previous_gap = state.converged.gap - state.offset;
   c.x_previous = primary_nodes_previous(face);
   c.y_previous = y_previous;
@@ -114,6 +117,7 @@ bool Interaction::evaluate_inclined(Local face, int point, const PrimaryPoint<do
   q.normal = at.normal;
   q.line = true;
   inclined_ray(c, at, trial, q.origin, q.direction);
+  q.x_previous = primary_point(shape(face, point), primary_nodes_previous(face)).x;
   q.reach = options_.reach * size_[face];
   q.last = state.near >= 0 ? state.near : state.anchor;
   const double* start = state.near >= 0 ? state.near_xi : state.history.anchor_xi;

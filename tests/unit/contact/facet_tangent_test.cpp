@@ -21,6 +21,27 @@ using fem::FaceType;
 
 namespace {
 
+/// Pressure law t = <lambda - eps gap> (eq. 573 with the bracket on the whole).
+template <class T> T contact_pressure(double multiplier, double penalty, const T& gap) {
+  const T t = multiplier - penalty * gap;
+  return value_of(t) > 0.0 ? t : T(0.0);
+}
+
+/// Internal-side residual of one point (eq. 581): r[p] -= w t B_p normal, with B = N on the primary
+/// and -N on the secondary nodes. Node order: primary (n1), secondary (n2); r is (n1+n2, 3).
+/// weight: quadrature weight times the reference area measure.
+template <class T>
+void facet_force(int n1, const double* N1, int n2, const contact::FacetGap<T>& q, double weight,
+                 const T& pressure, T* r) {
+  for (int i = 0; i < 3; ++i) {
+    const T f = weight * pressure * q.normal[i];
+    for (int a = 0; a < n1; ++a)
+      r[3 * a + i] -= N1[a] * f;
+    for (int b = 0; b < n2; ++b)
+      r[3 * (n1 + b) + i] += q.N[b] * f;
+  }
+}
+
 struct Scene {
   FaceType primary, secondary;
   int n1, n2;
@@ -105,10 +126,10 @@ void automatic(const Scene& s, double multiplier, double penalty, double weight,
     xi[1] += step[1];
   }
   const auto q = contact::facet_gap<Fad>(s.secondary, y, at, xi);
-  const Fad t = contact::contact_pressure(multiplier, penalty, q.gap);
+  const Fad t = contact_pressure(multiplier, penalty, q.gap);
   for (int i = 0; i < 3 * n; ++i)
     r[i] = 0.0;
-  contact::facet_force(s.n1, s.N1, s.n2, q, weight, t, r);
+  facet_force(s.n1, s.N1, s.n2, q, weight, t, r);
 }
 
 struct Result {
@@ -122,7 +143,7 @@ Result compare(const Scene& s, double multiplier, double penalty) {
   for (int a = 0; a < s.n1; ++a)
     at += s.N1[a] * s.x[a];
   const auto q = contact::facet_gap<double>(s.secondary, s.y, at, s.xi);
-  const double t = contact::contact_pressure(multiplier, penalty, q.gap);
+  const double t = contact_pressure(multiplier, penalty, q.gap);
   std::vector<double> k(std::size_t(n) * n, 0.0);
   if (t > 0.0) {
     EXPECT_TRUE(contact::facet_tangent(s.n1, s.N1, s.n2, q, weight, penalty, t, k.data()));
@@ -191,7 +212,7 @@ TEST(FacetTangent, OmittedCurvatureTermsWouldBeSeen) {
   for (int a = 0; a < s.n1; ++a)
     at += s.N1[a] * s.x[a];
   auto q = contact::facet_gap<double>(s.secondary, s.y, at, s.xi);
-  const double t = contact::contact_pressure(0.0, 100.0, q.gap);
+  const double t = contact_pressure(0.0, 100.0, q.gap);
   const int n = 3 * (s.n1 + s.n2);
   std::vector<double> k(std::size_t(n) * n, 0.0), flat = k;
   contact::facet_tangent(s.n1, s.N1, s.n2, q, 1.0, 100.0, t, k.data());

@@ -332,3 +332,45 @@ TEST(InteractionOptions, SelfContactOfAFold) {
     EXPECT_NEAR(down, 2.0, 0.15); // both legs carry points: twice the penalty over unit area
   }
 }
+
+// With multipliers, a point stays where it came into contact: it is not pulled back to where the
+// step began.
+TEST_P(Friction, AugmentationHoldsThePlaceOfFirstContact) {
+  Law law = GetParam();
+  law.enforcement = contact::Enforcement::augmented_lagrangian;
+  Plates plates(with_friction(law), 0.03);
+  plates.force(0.0, 0.0, 0.0);
+  plates.pair->accept();
+  EXPECT_NEAR(plates.force(0.004, 0.0, -0.04)[0], -0.1, 1e-12);
+  plates.pair->augment();
+  for (int k = 0; k < 5; ++k) {
+    plates.force(0.003, 0.0, -0.03); // closed, where contact was made: 3/4 of the way
+    EXPECT_NEAR(plates.pair->augmentation().change, 0.0, 1e-11);
+    plates.pair->augment();
+  }
+  EXPECT_NEAR(plates.force(0.003, 0.0, -0.03)[0], -0.1, 1e-12);
+  EXPECT_NEAR(plates.force(0.004, 0.0, -0.03)[0], -0.2, 1e-12);
+  EXPECT_NEAR(plates.force(0.104, 0.0, -0.03)[0], -0.5, 1e-12); // and slips from there
+  plates.force(0.004, 0.0, -0.03);
+  plates.pair->accept();
+  EXPECT_NEAR(plates.force(0.004, 0.0, -0.03)[0], -0.2, 1e-12);
+}
+
+// A plate that jumps through the plane by many face sizes in one step is still held.
+TEST(InteractionOptions, FastPointsDoNotPassThrough) {
+  for (const auto formulation :
+       {Formulation::node_on_facet, Formulation::facet_on_facet, Formulation::sliding_elastic}) {
+    contact::ContactOptions o = with_penalty(100.0);
+    o.formulation = formulation;
+    Plates plates(o, 0.1);
+    plates.force(0.0, 0.0, 0.0);
+    plates.pair->accept();
+    EXPECT_NEAR(plates.force(0.0, 0.0, -9.0)[2], 890.0, 1e-9);
+    plates.pair->reject();
+    EXPECT_NEAR(plates.force(0.0, 0.0, -9.0)[2], 890.0, 1e-9);
+    // What lay behind from the start does not pull: no crossing, and beyond the reach.
+    Plates behind(o, -9.0);
+    EXPECT_EQ(behind.force(0.0, 0.0, 0.0)[2], 0.0);
+    EXPECT_EQ(behind.force(0.0, 0.0, -9.0)[2], 0.0);
+  }
+}

@@ -46,29 +46,7 @@ KOKKOS_INLINE_FUNCTION FacetGap<T> facet_gap(fem::FaceType type, const Vec<S, 3>
   return q;
 }
 
-/// Pressure law t = <lambda - eps gap> (eq. 573 with the bracket on the whole).
-template <class T>
-KOKKOS_INLINE_FUNCTION T contact_pressure(double multiplier, double penalty, const T& gap) {
-  const T t = multiplier - penalty * gap;
-  return value_of(t) > 0.0 ? t : T(0.0);
-}
-
-/// Internal-side residual of one point (eq. 581): r[p] -= w t B_p normal, with B = N on the primary
-/// and -N on the secondary nodes. Node order: primary (n1), secondary (n2); r is (n1+n2, 3).
-/// weight: quadrature weight times the reference area measure.
-template <class T>
-KOKKOS_INLINE_FUNCTION void facet_force(int n1, const double* N1, int n2, const FacetGap<T>& q,
-                                        double weight, const T& pressure, T* r) {
-  for (int i = 0; i < 3; ++i) {
-    const T f = weight * pressure * q.normal[i];
-    for (int a = 0; a < n1; ++a)
-      r[3 * a + i] -= N1[a] * f;
-    for (int b = 0; b < n2; ++b)
-      r[3 * (n1 + b) + i] += q.N[b] * f;
-  }
-}
-
-/// Tangent of facet_force for an active point, with all metric and curvature terms (eq. 586 with
+/// Tangent of a pressed point without friction, with all metric and curvature terms (eq. 586 with
 /// the omitted kappa_11, kappa_22): symmetric, exact for interior projections.
 ///   K_pq = w { B_p B_q S + t [ B_p r_q (x) n + B_q n (x) r_p + gap G_pq n (x) n ] }
 ///   S = eps n (x) n + t q^ab y,a (x) y,b,   q = m^-1 kappa A^-1,   A = m - gap kappa

@@ -108,6 +108,7 @@ public:
   void residual(const NodalFields& fields, const ResidualScatter& scatter) override;
   void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
   bool symmetric() const override;
+  double round_off_force2() const override;
   void accept() override;
   void reject() override;
 
@@ -156,6 +157,7 @@ private:
              Partner& beside) const;
   Partner nearest(Local face, int point, const PrimaryPoint<double>& at);
   bool own_neighbour(Local face, Local candidate) const;
+  bool crossed(const Query& query, Local candidate, const double xi[2], double gap) const;
 
   void evaluate_points();
   void evaluate(Local face, int point);
@@ -183,6 +185,7 @@ private:
   double measure(Local face, int point) const;
   double current_area(Local face, int point) const;
   void advance_history(Local face, int point);
+  void join(Local face, int point, const PrimaryPoint<double>& at);
   Vec3 plastic_slip(Local face, int point, const PrimaryPoint<double>& at) const;
 
   Comm comm_;
@@ -198,8 +201,9 @@ private:
   double end_ = 1.0, time_ = 0.0, penalty_scale_ = 1.0, friction_ = 0.0;
   FacingSurface facing_;
   double softest_modulus_ = 0.0;
-  double slack_ = 0.0;       ///< motion after which faces are collected anew [length]
-  std::vector<double> size_; ///< (primary faces) [length]
+  double slack_ = 0.0;         ///< motion after which faces are collected anew [length]
+  std::vector<double> size_;   ///< (primary faces) [length]
+  double smallest_size_ = 0.0; ///< of all primary faces [length]
   std::map<fem::FaceType, Table> tables_;
   std::vector<Local> first_point_{0};
   std::vector<std::size_t> first_node_; ///< (primary faces) into x_primary_
@@ -214,6 +218,8 @@ private:
   bool new_step_ = true;   ///< the next search is the first of a step
   int searches_ = 0;       ///< since the last change of history
   bool collected_ = false; ///< on all ranks together
+  double motion_ = 0.0; ///< bound of the relative motion since the last step, 0: within the reach
+  double collected_motion_ = 0.0; ///< of the last collection
   std::vector<Vec3> x_primary_collected_;
   std::vector<double> x_secondary_collected_;
   std::vector<Pair> pair_list_;

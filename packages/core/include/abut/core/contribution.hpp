@@ -68,6 +68,9 @@ public:
   /// Whether it holds internal forces of bodies: their size is what residuals are compared with.
   virtual bool internal_force() const { return false; }
 
+  /// Square of the residual norm that rounding of positions makes, of this rank's cells [force^2].
+  virtual double round_off_force2() const { return 0.0; }
+
   virtual void accept() {} ///< the step converged: trial state becomes history
   virtual void reject() {} ///< the step failed: trial state is dropped
 };
