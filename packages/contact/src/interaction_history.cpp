@@ -184,21 +184,28 @@ void Interaction::advance_history(Local f, int p) {
     }
     return;
   }
-  if (state.rule == PointRule::frictionless || state.rule == PointRule::anchored)
+  const double slid = history.sliding;
+  history.sliding = 0.0;
+  if (state.rule == PointRule::anchored)
     return;
   const auto at = primary_point(shape(f, p), primary_nodes(f));
   const Vec3 shear = state.traction - state.pressure * state.normal;
-  if (state.status() == Status::slip) {
+  const bool has_friction = state.rule != PointRule::frictionless;
+  if (has_friction && state.status() == Status::slip) {
     const Vec3 slip = plastic_slip(f, p, at);
-    history.path += norm(slip - dot(state.normal, slip) * state.normal);
-    history.dissipated += std::fabs(dot(shear, slip));
+    const double way = norm(slip - dot(state.normal, slip) * state.normal);
+    history.path += way;
+    history.sliding = norm(shear);
+    history.dissipated += way * (slid > 0.0 ? 0.5 * (slid + history.sliding) : history.sliding);
   }
   if (options_.map() != FrictionMap::incremental) {
     history.anchor = facing_.face_id(state.facing);
     history.anchor_xi[0] = state.xi[0];
     history.anchor_xi[1] = state.xi[1];
   }
-  if (state.rule == PointRule::incremental_stick || state.rule == PointRule::incremental_slip)
+  if (!has_friction)
+    history.carried = {};
+  else if (state.rule == PointRule::incremental_stick || state.rule == PointRule::incremental_slip)
     history.carried = store_traction(at, shear);
 }
 

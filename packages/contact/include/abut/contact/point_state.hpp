@@ -19,6 +19,7 @@ struct PointHistory {
   bool in_contact = false; ///< at the last converged step
   double gap = 0.0;        ///< then [length]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
+  double sliding = 0.0;    ///< shear of the last step if it slipped then, else 0 [pressure]
   double dissipated = 0.0; ///< friction work so far, per area [pressure*length]
 };
 
