@@ -2,7 +2,7 @@
 """The energy ledger of a run: work in = stored + penalty + friction, and an imbalance that falls with the step.
 
 Work comes in by the trapezoidal rule over each step, against state functions: the imbalance is of order 2 in the
-step. Friction work is summed with the traction at the end of a step: order 2 while pressure is constant, else 1.
+step. So is friction work where a point slips on; the step in which it starts to slip is cruder.
 Where the penalty pressure acts on the current area (sliding_elastic) it has no potential, and part of the
 penalty energy never closes: that formulation is held to the order with multipliers.
 """
@@ -61,8 +61,7 @@ class Ledger(unittest.TestCase):
 class Sliding(Ledger):
     def check(self, name, friction, **options):
         result, energy, relative, order = self.run_steps(block(friction=friction, **options), name)
-        # pressing makes edges slip a little under growing pressure: a small part of order 1
-        self.assertGreater(order, 1.5 if friction else 1.9)
+        self.assertGreater(order, 1.6 if friction else 1.9)  # points start to slip one after the other
         self.assertLess(abs(relative[-1]), 1e-3)
         self.assertGreater(energy["stored"], 0)
         if friction > 0:
@@ -89,8 +88,20 @@ class Sliding(Ledger):
         deck = scenes.merged(block(friction=0.3), {"curves": {"press": [[0, 0], [0.5, 0.5], [1, 1]]}})
         _, energy, relative, order = self.run_steps(deck, "pressed while led")
         self.assertGreater(energy["friction"], 0.1 * energy["work_in"])
-        self.assertGreater(order, 0.9)
-        self.assertLess(abs(relative[-1]), 0.01)
+        self.assertGreater(order, 1.6)
+        self.assertLess(abs(relative[-1]), 1e-3)
+
+    def test_friction_work_never_falls(self):
+        """Lifted off again, the block has lost what it lost."""
+        for formulation in ("node_on_facet", "facet_on_facet", "sliding_elastic"):
+            deck = block(friction=0.3, formulation=formulation)
+            deck["curves"]["press"] = [[0, 0], [0.5, 1], [1, 1], [2, -0.1]]
+            result = scenes.run(scenes.merged(deck, {"time": {"steps": 30, "end": 2}}))
+            lost = [result.fields.globals(i)["energy_friction"] for i in range(len(result.fields.times))]
+            with self.subTest(formulation=formulation):
+                self.assertEqual(result.contact()["active_points"], 0)
+                self.assertGreater(lost[-1], 1e-3)
+                self.assertGreaterEqual(min(b - a for a, b in zip(lost, lost[1:])), -1e-14 * lost[-1])
 
 
 class Drivers(Ledger):

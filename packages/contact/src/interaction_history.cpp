@@ -195,7 +195,7 @@ void Interaction::advance_history(Local f, int p) {
     const Vec3 slip = plastic_slip(f, p, at);
     const double way = norm(slip - dot(state.normal, slip) * state.normal);
     history.path += way;
-    history.sliding = norm(shear);
+    history.sliding = share_ * measure(f, p) * norm(shear);
     history.dissipated += way * (slid > 0.0 ? 0.5 * (slid + history.sliding) : history.sliding);
   }
   if (options_.map() != FrictionMap::incremental) {

@@ -119,7 +119,7 @@ ContactSummary Interaction::summary() const {
       const double weight = share_ * measure(f, p);
       ++s.points;
       s.flips += state.flips;
-      tally.sum[Tally::dissipation] += weight * state.history.dissipated;
+      tally.sum[Tally::dissipation] += state.history.dissipated;
       tally.raise(Tally::slip, state.history.path);
       tally.raise(Tally::overlap, state.overlap);
       if (state.facing < 0)

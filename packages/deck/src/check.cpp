@@ -58,6 +58,13 @@ private:
       name(path + key, word, deck_.curves, "curves");
   }
 
+  void contact_place(const std::string& path, const std::string& place) const {
+    for (const auto& pair : deck_.contact)
+      if (pair.two_pass && place == pair.name + "_second_pass")
+        return;
+    name(path + ".place", place, deck_.contact, "contact");
+  }
+
   void bodies() const {
     std::map<std::string, std::string> owner;
     bool deformable = false;
@@ -99,7 +106,7 @@ private:
     if (is_contact_quantity(v.quantity)) {
       if (v.place.empty())
         fail(path, "missing key 'place' (the contact interface)");
-      name(path + ".place", v.place, deck_.contact, "contact");
+      contact_place(path, v.place);
     } else if (is_rigid_quantity(v.quantity)) {
       rigid_place(path, v.place);
     } else if (v.quantity == Quantity::newton_iterations) {

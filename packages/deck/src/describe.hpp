@@ -167,7 +167,9 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
              "radial return of the last traction plus the step's slip"},
             {"literal", FrictionMap::literal, "the printed theory, for comparison"}},
            "how the tangential traction follows from the motion");
-  v.optional("two_pass", o.two_pass, "both sides carry points, each half of the traction");
+  v.optional("two_pass", o.two_pass,
+             "both sides carry points, each half of the traction; the other side's numbers are "
+             "those of NAME_second_pass");
   v.optional("tension", o.tension, "points in contact may pull");
   v.optional("tied", o.tied, "points close to their partner at the start stay there");
   v.optional("tie_distance", o.tie_distance, "what is close for tied, in face sizes",

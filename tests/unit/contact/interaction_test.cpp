@@ -35,10 +35,12 @@ void cap(double* x, double reach, bool south, double depth) {
 }
 
 /// Vertical force of a unit sphere pressed by 0.1 into a plane, eps = 1, nothing solved.
-double sphere_force(int n, bool sphere_is_primary, int points) {
+double sphere_force(int n, bool sphere_is_primary, int points,
+                    contact::Formulation formulation = contact::Formulation::facet_on_facet) {
   PhaseTimers timers;
   contact::ContactOptions o = with_penalty(1.0);
   o.points = points;
+  o.formulation = formulation;
   o.reach = 0.2 * n; // 0.24 in length: deeper than the sphere goes
   const double depth = 0.1, reach = 0.6;
   auto sphere =
@@ -75,14 +77,41 @@ TEST(Interaction, RigidSphereInPlanePlanePrimary) {
   EXPECT_LT(fine, coarse / 4.0);
 }
 
+// Rays: the sphere's points see the plane along their own normals, the plane's points see the
+// sphere from above; node_on_facet is the closest point again. Both sides, each its own exact
+// force.
+TEST(InteractionFormulations, RigidSphereInPlane) {
+  const auto ray = contact::Formulation::sliding_elastic,
+             nodal = contact::Formulation::node_on_facet;
+  const struct {
+    contact::Formulation formulation;
+    bool sphere_is_primary;
+    double exact;
+  } cases[] = {{ray, true, pi * 0.01},
+               {ray, false, pi * 0.01 * (1.0 - 0.1 / 3.0)},
+               {nodal, true, pi * 0.01},
+               {nodal, false, pi * 0.01 * (1.0 - 0.1)}};
+  for (const auto& c : cases) {
+    const double coarse =
+        std::fabs(sphere_force(24, c.sphere_is_primary, 4, c.formulation) / c.exact - 1.0);
+    const double fine =
+        std::fabs(sphere_force(72, c.sphere_is_primary, 4, c.formulation) / c.exact - 1.0);
+    EXPECT_LT(fine, 2e-3) << int(c.formulation) << c.sphere_is_primary << ' ' << coarse;
+    EXPECT_LT(fine, coarse / 4.0) << int(c.formulation) << c.sphere_is_primary;
+  }
+}
+
 namespace {
 
 /// Rigid block B x 1 on a rigid plane, eps = 1, raised by `up` and turned by the small angle `tilt`
 /// about y; vertical force and moment about y.
-std::array<double, 2> mattress(int n, int points, double up, double tilt) {
+std::array<double, 2>
+mattress(int n, int points, double up, double tilt,
+         contact::Formulation formulation = contact::Formulation::facet_on_facet) {
   PhaseTimers timers;
   contact::ContactOptions o = with_penalty(1.0);
   o.points = points;
+  o.formulation = formulation;
   auto block = grid_surface(n, 1, -0.5, 0.5, 0.0, 1.0, true, 0);
   auto plane = grid_surface(1, 1, -3, 3, -3, 3, false, block.num_nodes(), {}, 1000);
   DenseSystem system(block.num_nodes() + plane.num_nodes(), 3);
@@ -110,6 +139,15 @@ TEST(Interaction, MattressStiffness) {
   }
   // One point a facet sits where nodal quadrature misses the mark too: K_theta (1 - 1/n^2).
   EXPECT_NEAR(mattress(4, 1, -0.1, 0.02)[1], -0.02 / 12.0 * (1.0 - 1.0 / 16.0), 1e-15);
+}
+
+// Nodal quadrature overestimates the rotational stiffness by 1 + 2/n^2, n facets over the width.
+TEST(InteractionFormulations, MattressOnNodes) {
+  for (int n : {2, 4, 8}) {
+    const auto tilted = mattress(n, 2, -0.1, 0.02, contact::Formulation::node_on_facet);
+    EXPECT_NEAR(tilted[0], 0.1, 1e-14);
+    EXPECT_NEAR(tilted[1], -0.02 / 12.0 * (1.0 + 2.0 / (n * n)), 1e-15);
+  }
 }
 
 // A0.4 and sign: the pair's forces cancel, and they push the bodies apart.

@@ -19,8 +19,8 @@ struct PointHistory {
   bool in_contact = false; ///< at the last converged step
   double gap = 0.0;        ///< then [length]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
-  double sliding = 0.0;    ///< shear of the last step if it slipped then, else 0 [pressure]
-  double dissipated = 0.0; ///< friction work so far, per area [pressure*length]
+  double sliding = 0.0;    ///< shear force of the last step if it slipped then, else 0 [force]
+  double dissipated = 0.0; ///< friction work so far [energy]
 };
 
 /// One integration point of a primary face: history and what the present configuration gives it.
