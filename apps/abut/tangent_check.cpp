@@ -31,7 +31,12 @@ solver::AugmentCallback with_tangent_check(Model& model, solver::AugmentCallback
                                            std::function<void(const std::string&)> print) {
   const double step = step_share * extent(*model.mesh);
   return [&model, then = std::move(then), print = std::move(print), step](int number) {
-    for (const assembly::TangentMismatch& m : model.equations->check_tangent(step)) {
+    for (const auto& contact : model.contacts)
+      contact->set_exact_tangent(true);
+    const auto mismatches = model.equations->check_tangent(step);
+    for (const auto& contact : model.contacts)
+      contact->set_exact_tangent(false);
+    for (const assembly::TangentMismatch& m : mismatches) {
       std::string text = fmt::format("tangent of {:<24} error {:.1e}", m.part, m.error);
       if (m.node >= 0)
         text += fmt::format("  worst at node {} {}", m.node, "xyz"[m.field]);

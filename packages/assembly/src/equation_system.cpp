@@ -257,6 +257,17 @@ void EquationSystem::assemble_tangent() {
   rigid_->add_stiffness(time_, pattern_, raw_values_.data());
 }
 
+/// Values of the unknowns behind the columns of this rank's rows.
+RCP<const Vector> EquationSystem::column_values(const Vector& owned) const {
+  const auto columns = rcp(new Vector(pattern_.graph()->getColMap()));
+  const auto importer = pattern_.graph()->getImporter();
+  if (importer.is_null())
+    Tpetra::deep_copy(*columns, owned);
+  else
+    columns->doImport(owned, *importer, Tpetra::INSERT);
+  return columns;
+}
+
 RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
   prepare(x);
   assemble_tangent();
@@ -264,18 +275,14 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
   if (matrix_.is_null()) {
     matrix_ = rcp(new Matrix(pattern_.graph()));
     // Which columns are constrained is known to their owners: fetch it.
-    Vector owned(dofs_.map()), columns(pattern_.graph()->getColMap());
+    Vector owned(dofs_.map());
     {
       const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (std::size_t i = 0; i < constrained_.size(); ++i)
         view(i, 0) = constrained_[i];
     }
-    const auto importer = pattern_.graph()->getImporter();
-    if (importer.is_null())
-      Tpetra::deep_copy(columns, owned);
-    else
-      columns.doImport(owned, *importer, Tpetra::INSERT);
-    const auto view = columns.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const RCP<const Vector> columns = column_values(owned);
+    const auto view = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
     constrained_column_.resize(view.extent(0));
     for (std::size_t i = 0; i < view.extent(0); ++i)
       constrained_column_[i] = view(i, 0) != 0.0;
@@ -338,18 +345,14 @@ void EquationSystem::apply_constraints(Vector& x) const {
 
 void EquationSystem::predictor(const Vector& x, Vector& rhs) {
   tangent(x);
-  Vector jump(dofs_.map()), columns(pattern_.graph()->getColMap());
+  Vector jump(dofs_.map());
   jump.assign(x);
   apply_constraints(jump);
   jump.update(-1.0, x, 1.0); // change of the constrained unknowns, zero elsewhere
-  const auto importer = pattern_.graph()->getImporter();
-  if (importer.is_null())
-    Tpetra::deep_copy(columns, jump);
-  else
-    columns.doImport(jump, *importer, Tpetra::INSERT);
+  const RCP<const Vector> columns = column_values(jump);
   residual(x, rhs);
   const auto local = matrix_->getLocalMatrixHost();
-  const auto dx = columns.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto dx = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto own = jump.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto r = rhs.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (Local i = 0; i < local.numRows(); ++i) {

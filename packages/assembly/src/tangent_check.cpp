@@ -26,13 +26,8 @@ std::vector<double> EquationSystem::tangent_times(std::size_t part, const Vector
   std::fill(raw_values_.begin(), raw_values_.end(), 0.0);
   dofs_.mesh().comm.together([&] { assemble_tangent_of(parts_[part]); });
   pattern_.add_shared_values(raw_values_.data());
-  Vector columns(pattern_.graph()->getColMap());
-  const auto importer = pattern_.graph()->getImporter();
-  if (importer.is_null())
-    Tpetra::deep_copy(columns, d);
-  else
-    columns.doImport(d, *importer, Tpetra::INSERT);
-  const auto view = columns.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const RCP<const Vector> columns = column_values(d);
+  const auto view = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto local = matrix_->getLocalMatrixHost();
   std::vector<double> product(static_cast<std::size_t>(local.numRows()), 0.0);
   for (Local i = 0; i < local.numRows(); ++i)

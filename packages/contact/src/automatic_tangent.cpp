@@ -8,8 +8,7 @@ inline double value_of(const Dual& x) {
 }
 } // namespace abut
 
-#include "abut/contact/facet_gap.hpp"
-#include "point_tangents.hpp"
+#include "automatic_tangent.hpp"
 
 namespace abut::contact {
 

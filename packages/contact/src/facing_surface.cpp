@@ -101,7 +101,8 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
   in.face_nodes = comm_.exchange(out.face_nodes);
   in.nodes = comm_.exchange(out.nodes);
   unpack(in);
-  update(x_own, x_previous);
+  fetch(x_previous, x_previous_);
+  update(x_own);
 }
 
 void FacingSurface::pack(Local f, double size, std::size_t rank, std::vector<char>& taken,
@@ -164,21 +165,20 @@ void FacingSurface::unpack(const Parcels& in) {
   tree_ = {};
 }
 
-void FacingSurface::update(const std::vector<double>& x_own,
-                           const std::vector<double>& x_previous) {
+/// Values at the nodes of the collected faces from those of the own nodes, (nodes, 3). Collective.
+void FacingSurface::fetch(const std::vector<double>& x_own, std::vector<double>& x) const {
   std::vector<std::vector<double>> send(send_nodes_.size());
   for (std::size_t r = 0; r < send.size(); ++r)
     for (Local n : send_nodes_[r])
-      for (const auto* x : {&x_own, &x_previous})
-        send[r].insert(send[r].end(), x->begin() + 3 * n, x->begin() + 3 * n + 3);
+      send[r].insert(send[r].end(), &x_own[std::size_t(n) * 3], &x_own[std::size_t(n) * 3] + 3);
   const auto arrived = comm_.exchange(send);
   for (std::size_t r = 0; r < arrived.size(); ++r)
-    for (std::size_t k = 0; k < receive_nodes_[r].size(); ++k) {
-      const std::size_t node = std::size_t(receive_nodes_[r][k]) * 3;
-      std::copy_n(&arrived[r][6 * k], 3, &x_[node]);
-      std::copy_n(&arrived[r][6 * k + 3], 3, &x_previous_[node]);
-    }
+    for (std::size_t k = 0; k < receive_nodes_[r].size(); ++k)
+      std::copy_n(&arrived[r][3 * k], 3, &x[std::size_t(receive_nodes_[r][k]) * 3]);
+}
 
+void FacingSurface::update(const std::vector<double>& x_own) {
+  fetch(x_own, x_);
   std::vector<Box<3>> boxes;
   for (Local f = 0; f < num_faces(); ++f) {
     boxes.push_back(box(f));

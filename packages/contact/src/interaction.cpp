@@ -113,6 +113,7 @@ void Interaction::make_points() {
         table.dN.insert(table.dN.end(), dN[0], dN[0] + 2 * nodes);
       }
     }
+    table_.push_back(&table);
     first_node_.push_back(x_primary_.size());
     for (Local a = primary_.offset[f]; a < primary_.offset[f + 1]; ++a) {
       const double* x = &primary_.x[std::size_t(primary_.nodes[a]) * 3];
@@ -129,9 +130,8 @@ void Interaction::make_points() {
 }
 
 PointShape Interaction::shape(Local face, int point) const {
-  const fem::FaceType type = primary_.type[face];
-  const Table& table = tables_.at(type);
-  const int nodes = fem::face_nodes(type);
+  const Table& table = *table_[face];
+  const int nodes = fem::face_nodes(primary_.type[face]);
   const double* dN = &table.dN[std::size_t(point) * 2 * nodes];
   return {nodes, &table.N[std::size_t(point) * nodes], reinterpret_cast<const double(*)[2]>(dN)};
 }
@@ -163,7 +163,7 @@ void Interaction::collect_if_moved() {
       comm_.max(motion_of_primary(x_primary_collected_)) +
               comm_.max(motion_of_secondary(x_secondary_collected_)) <=
           slack_) {
-    facing_.update(x_secondary_, x_secondary_previous_);
+    facing_.update(x_secondary_);
     return;
   }
   collected_motion_ = motion_;

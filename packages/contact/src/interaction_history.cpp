@@ -116,36 +116,11 @@ void Interaction::augment() {
       Vec3 shear = state.traction - pressure * state.normal;
       if (update_)
         update_(state, pressure, shear);
-      if (!state.pressed())
-        state.history.has_joined = false;
-      else if (friction_ > 0.0 && !state.converged.in_contact)
-        join(f, p, at);
       state.history.multiplier = pressure;
       state.history.carried = state.pressed() ? store_traction(at, shear) : StoredTraction();
     }
   frozen_ = true;
   searches_ = 0;
-}
-
-/// A point that comes into contact in this step must not be pulled back to where the step began:
-/// from the first augmentation on its slip counts from the place where contact was made, on a
-/// straight way. Kept beside the carried traction, on the same axes.
-void Interaction::join(Local f, int p, const PrimaryPoint<double>& at) {
-  PointState& state = points_[point_index(f, p)];
-  PointHistory& history = state.history;
-  if (state.rule != PointRule::incremental_stick && state.rule != PointRule::incremental_slip)
-    return;
-  Vec3 offset = turned_traction(history.joined, at);
-  if (!history.has_joined) {
-    Vec3 y[fem::max_face_nodes], y_previous[fem::max_face_nodes];
-    facing_.coordinates(state.facing, y);
-    facing_.previous_coordinates(state.facing, y_previous);
-    const ContactPoint c = contact_point(f, p, y_previous);
-    const double before = 1.0 - contact_share(c, effective_gap(state));
-    offset = (state.penalty * before) * objective_slip(c, contact_partner(c, at, y));
-  }
-  history.joined = store_traction(at, offset);
-  history.has_joined = true;
 }
 
 /// Part of the step's slip that no spring stores, tangent to the contact [length].
@@ -164,8 +139,7 @@ Vec3 Interaction::plastic_slip(Local f, int p, const PrimaryPoint<double>& at) c
   facing_.previous_coordinates(state.facing, z);
   const ContactPoint c = contact_point(f, p, z);
   const Vec3 slip =
-      contact_share(c, effective_gap(state)) * objective_slip(c, contact_partner(c, at, y)) -
-      (1.0 / state.penalty) * turned_traction(state.history.joined, at);
+      contact_share(c, effective_gap(state)) * objective_slip(c, contact_partner(c, at, y));
   const Vec3 shear = state.traction - state.pressure * state.normal;
   return slip + (1.0 / state.penalty) * (shear - turned_traction(state.history.carried, at));
 }
@@ -214,8 +188,6 @@ void Interaction::accept() {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
       advance_history(f, p);
-      state.history.joined = {};
-      state.history.has_joined = false;
       state.converged = state.history;
       state.returns = 0;
       state.left = -1;
@@ -232,7 +204,7 @@ void Interaction::accept() {
   new_step_ = true;
   x_primary_previous_ = x_primary_;
   x_secondary_previous_ = x_secondary_;
-  facing_.update(x_secondary_, x_secondary_previous_);
+  facing_.accept();
   last_gaps_.clear();
   last_changes_.clear();
   searches_ = 0;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/interaction.hpp"
 
+#include "abut/contact/point_tangent.hpp"
 #include "abut/core/error.hpp"
+#include "automatic_tangent.hpp"
 #include "constants.hpp"
-#include "point_tangents.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <algorithm>
@@ -68,13 +69,14 @@ void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
       "abut::contact::residual",
       Kokkos::RangePolicy<Execution>(0, static_cast<Local>(pair_list_.size())), [&](Local i) {
         const Pair& pair = pair_list_[i];
-        const auto s = secondary_nodes(facing_, pair.facing, pair.anchor);
+        const fem::FaceType type = facing_.type(pair.facing);
         double r[max_nodes * 3] = {};
-        for (Local p : pair.points) {
-          if (points_[point_index(pair.face, p)].touching)
-            continue;
-          const ContactPoint c = contact_point(pair.face, p, s.y_previous);
-          point_force(c, point_traction<double>(c, primary_nodes(pair.face), s.y, s.z), r);
+        for (Local p : pair.points) { // the search left every point's traction
+          const PointState& state = points_[point_index(pair.face, p)];
+          double N[fem::max_face_nodes];
+          fem::dispatch_face(type, [&](auto face) { decltype(face)::values(state.xi, N); });
+          add_force(shape(pair.face, p), fem::face_nodes(type), N,
+                    share_ * measure(pair.face, p) * state.traction, r);
         }
         scatter.add(i, r);
       });
@@ -94,13 +96,13 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
         std::fill_n(k, n * n, 0.0);
         for (Local p : pair.points) {
           ContactPoint c = contact_point(pair.face, p, s.y_previous);
-          if (searches_ <= early_searches)
+          if (!exact_tangent_ && searches_ <= early_searches)
             moderate(c, points_[point_index(pair.face, p)], size_[pair.face]);
           const Vec3* x = primary_nodes(pair.face);
           const bool one_face = pair.anchor < 0;
           const bool fine = options_.tangent == Tangent::automatic
                                 ? automatic_tangent(c, x, s.y, s.z, one_face, k)
-                                : closed_tangent(c, x, s.y, s.z, one_face, k);
+                                : point_tangent(c, x, s.y, s.z, one_face, k);
           failed += !fine;
         }
         if (options_.tangent == Tangent::symmetric)

@@ -32,10 +32,10 @@ NodalSums Interaction::nodal_sums() const {
       const double area = current_area(f, p);
       const double cauchy = measure(f, p) / area;
       double N[fem::max_face_nodes];
-      fem::dispatch_face(
-          fem::is_triangle(type) ? fem::FaceType::tri3 : fem::FaceType::quad4, [&](auto shape) {
-            decltype(shape)::values(tables_.at(type).rule.xi[std::size_t(p)].data(), N);
-          });
+      fem::dispatch_face(fem::is_triangle(type) ? fem::FaceType::tri3 : fem::FaceType::quad4,
+                         [&](auto shape) {
+                           decltype(shape)::values(table_[f]->rule.xi[std::size_t(p)].data(), N);
+                         });
       for (int a = 0; a < nodes; ++a) {
         double share = a < corners       ? N[a]
                        : a < 2 * corners ? 0.5 * (N[a - corners] + N[(a - corners + 1) % corners])

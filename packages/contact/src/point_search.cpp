@@ -126,9 +126,9 @@ Interaction::Partner Interaction::find(const Query& q) const {
   return prefer_inner ? inner : beside;
 }
 
-/// The nearest partner of a point by the formulation's own search; it is remembered for the next.
-Interaction::Partner Interaction::nearest(Local face, int point, const PrimaryPoint<double>& at) {
-  PointState& state = points_[point_index(face, point)];
+/// A search from where the last one ended, for the closest point or along the primary normal.
+Interaction::Query Interaction::query(Local face, int point, const PrimaryPoint<double>& at) const {
+  const PointState& state = points_[point_index(face, point)];
   Query q;
   q.face = face;
   q.x = q.origin = at.x;
@@ -138,12 +138,18 @@ Interaction::Partner Interaction::nearest(Local face, int point, const PrimaryPo
   q.x_previous = primary_point(shape(face, point), primary_nodes_previous(face)).x;
   q.reach = options_.reach * size_[face];
   q.last = state.near;
-  q.last_xi[0] = state.near_xi[0];
-  q.last_xi[1] = state.near_xi[1];
+  std::copy_n(state.near_xi, 2, q.last_xi);
   if (options_.segment_updates > 0 && searches_ > options_.segment_updates)
     q.hold = frozen_margin;
   else if (!q.line && state.returns >= swings)
     q.hold = hold_margin;
+  return q;
+}
+
+/// The nearest partner of a point by the formulation's own search; it is remembered for the next.
+Interaction::Partner Interaction::nearest(Local face, int point, const PrimaryPoint<double>& at) {
+  PointState& state = points_[point_index(face, point)];
+  const Query q = query(face, point, at);
   const Partner best = find(q);
   if (state.near >= 0 && best.face >= 0 && best.face != state.near) {
     if (best.face == state.left)

@@ -4,6 +4,7 @@
 #include "point_search.hpp"
 
 #include <Kokkos_Core.hpp>
+#include <algorithm>
 
 namespace abut::contact {
 
@@ -28,16 +29,13 @@ ContactPoint Interaction::contact_point(Local face, int point, const Vec3* y_pre
   c.offset = state.offset;
   c.multiplier = state.multiplier;
   c.carried = state.history.carried;
-  if (state.history.has_joined)
-    for (int i = 0; i < 3; ++i)
-      c.carried.component[i] += state.history.joined.component[i];
   c.face = state.facing >= 0 ? facing_.type(state.facing) : fem::FaceType::quad4;
   c.xi[0] = state.xi[0];
   c.xi[1] = state.xi[1];
   c.anchor_face = state.anchor >= 0 ? facing_.type(state.anchor) : c.face;
   c.anchor_xi[0] = state.history.anchor_xi[0];
   c.anchor_xi[1] = state.history.anchor_xi[1];
-  c.first = !state.converged.in_contact && !state.history.has_joined;
+  c.first = !state.converged.in_contact;
   c.previous_gap = state.converged.gap - state.offset;
   c.x_previous = primary_nodes_previous(face);
   c.y_previous = y_previous;
@@ -67,7 +65,7 @@ void Interaction::evaluate(Local face, int point) {
   state.anchor = state.history.anchor >= 0 ? facing_.find(state.history.anchor) : -1;
   const bool anchors =
       options_.tied || (friction_ > 0.0 && options_.map() != FrictionMap::incremental);
-  if (anchors && state.anchor >= 0 && evaluate_anchored(face, point, at, friction_))
+  if (anchors && state.anchor >= 0 && evaluate_anchored(face, point, at))
     return;
   if (options_.tied) {
     state.facing = -1;
@@ -75,13 +73,12 @@ void Interaction::evaluate(Local face, int point) {
     set_traction(face, point, PointRule::open);
     return;
   }
-  evaluate_partner(face, point, at, friction_);
+  evaluate_partner(face, point, at);
 }
 
 /// Stick against the anchor, or slip along the inclined ray. False: the formulation's own search
 /// must decide.
-bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<double>& at,
-                                    double mu) {
+bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<double>& at) {
   PointState& state = points_[point_index(face, point)];
   state.penalty = penalty_of(face, state.anchor);
   state.multiplier = state.history.multiplier;
@@ -92,9 +89,9 @@ bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<do
   const double pressure = -dot(at.normal, trial);
   const double shear = norm(tangential(trial, at.normal));
   const bool was = state.rule == PointRule::anchored;
-  const bool sticks =
-      options_.tied ||
-      (frozen_ && state.rule != PointRule::open ? was : pressure > 0.0 && shear <= mu * pressure);
+  const bool sticks = options_.tied || (frozen_ && state.rule != PointRule::open
+                                            ? was
+                                            : pressure > 0.0 && shear <= friction_ * pressure);
   if (sticks && (options_.tied || pressure > 0.0 || options_.tension)) {
     state.facing = state.anchor;
     state.xi[0] = state.history.anchor_xi[0];
@@ -103,28 +100,19 @@ bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<do
     return true;
   }
   return options_.map() == FrictionMap::inclined_ray && shear > 0.0 &&
-         evaluate_inclined(face, point, at, mu, trial);
+         evaluate_inclined(face, point, at, trial);
 }
 
 bool Interaction::evaluate_inclined(Local face, int point, const PrimaryPoint<double>& at,
-                                    double mu, const Vec3& trial) {
+                                    const Vec3& trial) {
   PointState& state = points_[point_index(face, point)];
-  ContactPoint c = contact_point(face, point, nullptr);
-  c.friction = mu;
-  Query q;
-  q.face = face;
-  q.x = at.x;
-  q.normal = at.normal;
+  Query q = query(face, point, at);
   q.line = true;
-  inclined_ray(c, at, trial, q.origin, q.direction);
-  q.x_previous = primary_point(shape(face, point), primary_nodes_previous(face)).x;
-  q.reach = options_.reach * size_[face];
-  q.last = state.near >= 0 ? state.near : state.anchor;
-  const double* start = state.near >= 0 ? state.near_xi : state.history.anchor_xi;
-  q.last_xi[0] = start[0];
-  q.last_xi[1] = start[1];
-  if (options_.segment_updates > 0 && searches_ > options_.segment_updates)
-    q.hold = frozen_margin;
+  inclined_ray(contact_point(face, point, nullptr), at, trial, q.origin, q.direction);
+  if (q.last < 0) {
+    q.last = state.anchor;
+    std::copy_n(state.history.anchor_xi, 2, q.last_xi);
+  }
   const Partner hit = find(q);
   if (hit.face < 0)
     return false;
@@ -141,8 +129,7 @@ bool Interaction::evaluate_inclined(Local face, int point, const PrimaryPoint<do
   return true;
 }
 
-void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<double>& at,
-                                   double mu) {
+void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<double>& at) {
   PointState& state = points_[point_index(face, point)];
   const bool was_open = !state.pressed();
   const Partner best = nearest(face, point, at);
@@ -166,13 +153,13 @@ void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<dou
   Vec3 y[fem::max_face_nodes], y_previous[fem::max_face_nodes];
   facing_.coordinates(best.face, y);
   facing_.previous_coordinates(best.face, y_previous);
-  ContactPoint c = contact_point(face, point, y_previous);
-  c.friction = mu;
+  const ContactPoint c = contact_point(face, point, y_previous);
   const bool touching = pressure <= 0.0 && !pulls;
   PointRule rule = PointRule::frictionless;
-  if (mu > 0.0 && touching)
+  if (friction_ > 0.0 && touching)
     rule = PointRule::incremental_stick;
-  else if (mu > 0.0 && pressure > 0.0 && state.penalty == penalty_of(face, best.face))
+  else if (friction_ > 0.0 && pressure > 0.0 &&
+           (!normal_law_ || state.penalty == penalty_of(face, best.face)))
     rule = sliding_rule(state, c, at, y);
   set_traction(face, point, rule);
   if (touching) {
@@ -232,14 +219,7 @@ void Interaction::set_traction(Local face, int point, PointRule rule) {
   state.traction = t.traction;
   state.pressure = t.pressure;
   state.gap = t.gap;
-  if (c.ray || rule == PointRule::anchored) {
-    state.normal = -primary_point(c.shape, primary_nodes(face)).normal;
-  } else {
-    fem::FacePoint<double> on;
-    fem::face_point(c.face, y, state.xi, on);
-    const Vec3 area = cross(on.tangent[0], on.tangent[1]);
-    state.normal = (1.0 / norm(area)) * area;
-  }
+  state.normal = t.c;
 }
 
 } // namespace abut::contact

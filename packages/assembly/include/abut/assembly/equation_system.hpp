@@ -115,6 +115,7 @@ private:
   std::vector<double> residual_of(std::size_t part, const Vector& x);
   TangentMismatch compare(std::size_t part, const Vector& x, const Vector& d, double step);
   void assemble_tangent();
+  RCP<const Vector> column_values(const Vector& owned) const;
   void mark_constrained();
   void copy_constrained(Matrix& matrix) const;
   NodalFields fields() const;

@@ -21,8 +21,10 @@ public:
   /// current and at the last converged step. Collective.
   void collect(const std::vector<double>& x_own, const std::vector<double>& x_previous,
                const std::vector<search::Box<3>>& wanted);
-  /// Fetches the coordinates of the nodes of the collected faces. Collective.
-  void update(const std::vector<double>& x_own, const std::vector<double>& x_previous);
+  /// Fetches the current coordinates of the nodes of the collected faces. Collective.
+  void update(const std::vector<double>& x_own);
+  /// The current coordinates become those of the last converged step.
+  void accept() { x_previous_ = x_; }
 
   Local num_faces() const { return static_cast<Local>(type_.size()); }
   fem::FaceType type(Local face) const { return type_[face]; }
@@ -46,6 +48,7 @@ private:
   void pack(Local face, double size, std::size_t rank, std::vector<char>& taken, Parcels& out);
   void unpack(const Parcels& in);
   search::Box<3> box(Local face) const;
+  void fetch(const std::vector<double>& x_own, std::vector<double>& x) const;
   void gather(const std::vector<double>& x, Local face, Vec3* y) const;
 
   Comm comm_;

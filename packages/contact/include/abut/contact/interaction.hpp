@@ -96,6 +96,9 @@ public:
   void set_normal_law(NormalLaw law) { normal_law_ = std::move(law); }
   /// Another update of the multipliers; empty: they become the tractions.
   void set_update(MultiplierUpdate update) { update_ = std::move(update); }
+  /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
+  /// for deep points. For checks.
+  void set_exact_tangent(bool exact) { exact_tangent_ = exact; }
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t) { end_ = t; }
 
@@ -152,6 +155,7 @@ private:
   void start();
   void start_point(Local face, int point);
 
+  Query query(Local face, int point, const PrimaryPoint<double>& at) const;
   Partner find(const Query& query) const;
   void visit(const Query& query, Local candidate, double& limit, Partner& inner,
              Partner& beside) const;
@@ -161,10 +165,9 @@ private:
 
   void evaluate_points();
   void evaluate(Local face, int point);
-  bool evaluate_anchored(Local face, int point, const PrimaryPoint<double>& at, double mu);
-  bool evaluate_inclined(Local face, int point, const PrimaryPoint<double>& at, double mu,
-                         const Vec3& trial);
-  void evaluate_partner(Local face, int point, const PrimaryPoint<double>& at, double mu);
+  bool evaluate_anchored(Local face, int point, const PrimaryPoint<double>& at);
+  bool evaluate_inclined(Local face, int point, const PrimaryPoint<double>& at, const Vec3& trial);
+  void evaluate_partner(Local face, int point, const PrimaryPoint<double>& at);
   bool normal_response(Local face, PointState& state) const;
   PointRule sliding_rule(const PointState& state, const ContactPoint& c,
                          const PrimaryPoint<double>& at, const Vec3* y) const;
@@ -185,7 +188,6 @@ private:
   double measure(Local face, int point) const;
   double current_area(Local face, int point) const;
   void advance_history(Local face, int point);
-  void join(Local face, int point, const PrimaryPoint<double>& at);
   Vec3 plastic_slip(Local face, int point, const PrimaryPoint<double>& at) const;
 
   Comm comm_;
@@ -205,6 +207,7 @@ private:
   std::vector<double> size_;   ///< (primary faces) [length]
   double smallest_size_ = 0.0; ///< of all primary faces [length]
   std::map<fem::FaceType, Table> tables_;
+  std::vector<const Table*> table_; ///< (primary faces)
   std::vector<Local> first_point_{0};
   std::vector<std::size_t> first_node_; ///< (primary faces) into x_primary_
   std::vector<PointState> points_;
@@ -214,6 +217,7 @@ private:
   std::vector<Vec3> x_primary_, x_primary_previous_;       ///< (face nodes, in order of the faces)
   std::vector<double> x_secondary_, x_secondary_previous_; ///< (nodes, 3)
   bool started_ = false;
+  bool exact_tangent_ = false;
   bool frozen_ = false;    ///< points keep their status in the next search
   bool new_step_ = true;   ///< the next search is the first of a step
   int searches_ = 0;       ///< since the last change of history

@@ -60,6 +60,7 @@ template <class T> struct PointTraction {
   T weight;           ///< [length^2]
   T N[fem::max_face_nodes];
   T pressure, gap;
+  Vec<T, 3> c; ///< contact normal
 };
 
 namespace detail {
@@ -226,7 +227,8 @@ KOKKOS_INLINE_FUNCTION void anchored_traction(const ContactPoint& c, const Prima
   fem::FacePoint<T> anchor;
   fem::face_point(c.face, y, xi, anchor);
   result.traction = anchored_trial(c, p, y);
-  result.pressure = -dot(p.normal, result.traction);
+  result.c = -p.normal;
+  result.pressure = dot(result.c, result.traction);
   result.gap = dot(p.normal, anchor.x - p.x);
   for (int b = 0; b < fem::face_nodes(c.face); ++b)
     result.N[b] = anchor.N[b];
@@ -241,6 +243,7 @@ KOKKOS_INLINE_FUNCTION void inclined_traction(const ContactPoint& c, const Prima
   T xi[2], q;
   fem::FacePoint<T> at;
   meet(c, y, origin, direction, xi, q, at);
+  result.c = -p.normal;
   result.pressure = c.penalty * q;
   result.traction = result.pressure * direction;
   result.gap = dot(p.normal, at.x - p.x);
@@ -252,6 +255,7 @@ template <class T>
 KOKKOS_INLINE_FUNCTION void partner_traction(const ContactPoint& c, const PrimaryPoint<T>& p,
                                              const Vec<T, 3>* y, PointTraction<T>& result) {
   const ContactPartner<T> s = contact_partner(c, p, y);
+  result.c = s.c;
   result.gap = s.gap;
   result.pressure = c.multiplier - c.penalty * (s.gap - c.offset);
   result.traction = result.pressure * s.c;
@@ -297,19 +301,24 @@ KOKKOS_INLINE_FUNCTION PointTraction<T> point_traction(const ContactPoint& c, co
   return result;
 }
 
-/// Adds the point's internal-side residual to r: (n1+n2, 3), minus N t on the primary, plus N t on
-/// the secondary nodes, times the weight.
+/// Adds the internal-side residual of a force on the primary to r, (n1+n2, 3): minus its share on
+/// the primary, plus its share N (n2) on the secondary nodes.
+template <class T>
+KOKKOS_INLINE_FUNCTION void add_force(const PointShape& shape, int n2, const T* N,
+                                      const Vec<T, 3>& force, T* r) {
+  for (int i = 0; i < 3; ++i) {
+    for (int a = 0; a < shape.nodes; ++a)
+      r[3 * a + i] -= shape.N[a] * force[i];
+    for (int b = 0; b < n2; ++b)
+      r[3 * (shape.nodes + b) + i] += N[b] * force[i];
+  }
+}
+
+/// Adds the point's internal-side residual to r: (n1+n2, 3).
 template <class T>
 KOKKOS_INLINE_FUNCTION void point_force(const ContactPoint& c, const PointTraction<T>& point,
                                         T* r) {
-  const int n1 = c.shape.nodes, n2 = fem::face_nodes(c.face);
-  for (int i = 0; i < 3; ++i) {
-    const T f = point.weight * point.traction[i];
-    for (int a = 0; a < n1; ++a)
-      r[3 * a + i] -= c.shape.N[a] * f;
-    for (int b = 0; b < n2; ++b)
-      r[3 * (n1 + b) + i] += point.N[b] * f;
-  }
+  add_force(c.shape, fem::face_nodes(c.face), point.N, Vec<T, 3>(point.weight * point.traction), r);
 }
 
 } // namespace abut::contact

@@ -14,8 +14,6 @@ struct PointHistory {
   StoredTraction carried;  ///< tangential multiplier or converged traction
   Global anchor = -1;      ///< id of the secondary face that holds the anchor; -1: none
   double anchor_xi[2] = {0.0, 0.0};
-  StoredTraction joined;   ///< penalty times the slip up to the place where contact was first made
-  bool has_joined = false; ///< the point came into contact in this step and has been augmented
   bool in_contact = false; ///< at the last converged step
   double gap = 0.0;        ///< then [length]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
