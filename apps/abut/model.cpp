@@ -189,12 +189,8 @@ void add_contact(Model& m, const contact::ContactOptions& options) {
     m.contacts.push_back(std::make_shared<contact::Interaction>(
         m.comm, surface(pass.primary), surface(pass.secondary), pass, m.timers, share));
     contact::Interaction& contact = *m.contacts.back();
-    const auto factor = [&](const std::string& curve) -> std::function<double(double)> {
-      if (curve.empty())
-        return {};
-      return m.deck.curve(curve);
-    };
-    contact.set_schedules(factor(pass.penalty_curve), factor(pass.friction_curve));
+    contact.set_schedules(given_curve(m.deck, pass.penalty_curve),
+                          given_curve(m.deck, pass.friction_curve));
     contact.set_end(m.deck.time.end);
   };
   try {
@@ -215,8 +211,7 @@ void add_equations(Model& m) {
   for (const auto& body : m.rigid_bodies)
     rigid.has_unknowns.push_back(body.has_unknowns());
   m.equations = std::make_unique<assembly::EquationSystem>(
-      assembly::DofMap(*m.mesh, {"displacement_x", "displacement_y", "displacement_z"},
-                       std::vector<char>(m.mesh->node.size(), 0), rigid),
+      assembly::DofMap(*m.mesh, {"displacement_x", "displacement_y", "displacement_z"}, rigid),
       m.timers);
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
     if (!m.material[b])

@@ -2,7 +2,6 @@
 #include "results.hpp"
 
 #include "abut/core/trilinos.hpp"
-#include "abut/solid/element_fields.hpp"
 
 #include <algorithm>
 
@@ -14,11 +13,8 @@ Energy energy(const Model& m, const State& s) {
   Energy e;
   const assembly::ExternalWork& work = m.equations->external_work();
   e.work_in = work.loads + work.supports;
-  const NodalFields fields{s.u.data(), 3, s.time};
-  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b)
-    if (m.material[b])
-      e.stored += solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields)
-                      .total_energy();
+  for (const solid::ElementFields& block : s.elements)
+    e.stored += block.total_energy();
   e.stored = m.comm.sum(e.stored);
   for (const auto& c : s.contacts) {
     e.penalty += c.penalty_energy;
@@ -38,6 +34,11 @@ State make_state(const Model& m, const Vector& x, double time, const solver::Cou
   for (const auto& contact : m.contacts)
     s.contacts.push_back(contact->summary());
   s.rigid_bodies = m.equations->rigid_body_states();
+  const NodalFields fields{s.u.data(), 3, s.time};
+  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b)
+    s.elements.push_back(
+        m.material[b] ? solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields)
+                      : solid::ElementFields());
   s.energy = energy(m, s);
   return s;
 }
@@ -129,7 +130,6 @@ namespace {
 
 void add_element_fields(const Model& m, const State& s, io::ResultStep& step) {
   step.element.assign(8, {});
-  const NodalFields fields{s.u.data(), 3, s.time};
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
     const auto count = static_cast<std::size_t>(m.mesh->blocks[b].size());
     if (!m.material[b]) {
@@ -137,7 +137,7 @@ void add_element_fields(const Model& m, const State& s, io::ResultStep& step) {
         values.insert(values.end(), count, 0.0);
       continue;
     }
-    const auto e = solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields);
+    const solid::ElementFields& e = s.elements[b];
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < 6; ++k)
         step.element[k].push_back(e.stress[6 * i + k]);

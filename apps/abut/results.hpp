@@ -5,6 +5,7 @@
 
 #include "abut/contact/interaction.hpp"
 #include "abut/io/result_writer.hpp"
+#include "abut/solid/element_fields.hpp"
 #include "abut/solver/load_stepping.hpp"
 
 #include <string>
@@ -28,6 +29,7 @@ struct State {
   std::vector<double> u;        ///< (N, 3) displacement of local nodes
   std::vector<double> reaction; ///< (owned rows, 3) force of supports on the body
   std::vector<contact::ContactSummary> contacts;
+  std::vector<solid::ElementFields> elements; ///< per block; empty for rigid ones
   Energy energy;
   std::vector<assembly::RigidBodyState> rigid_bodies; ///< of Model::rigid_bodies
 };

@@ -55,3 +55,13 @@ def regressed_radius(x, p, a):
         inside = x < 0.9 * a
     slope, constant = numpy.polyfit(x[inside]**2, p[inside]**2, 1)
     return math.sqrt(-constant / slope)
+
+
+# Penalty-softened Hertz sphere, E*/(eps a): force at the same approach over that of Hertz.
+SOFTENED = ((.003, .9986), (.01, .9953), (.03, .9859), (.1, .9548), (.3, .8770), (1.0, .6870))
+
+
+def softened(softness):
+    """Force over that of Hertz, from the table; what is lost is interpolated in logarithms."""
+    return 1 - math.exp(numpy.interp(math.log(softness), [math.log(s) for s, _ in SOFTENED],
+                                     [math.log(1 - f) for _, f in SOFTENED]))

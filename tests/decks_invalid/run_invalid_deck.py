@@ -6,11 +6,12 @@ The program must end with status 2, say what REGEX asks for, and say it once how
 usage: run_invalid_deck.py [--seconds N] DECK -- COMMAND...   (COMMAND: [mpiexec ...] abut check)
 """
 import argparse
-import os
+import pathlib
 import re
-import signal
-import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import process  # noqa: E402  found by the line above
 
 
 def expectation(deck):
@@ -20,19 +21,6 @@ def expectation(deck):
     if not match:
         sys.exit(f"{deck}: the first line must be '# expect: REGEX', got '{first}'")
     return match.group(1)
-
-
-def run(command, seconds):
-    """Exit status (None after too long) and all that was printed."""
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               text=True, start_new_session=True)
-    try:
-        output, _ = process.communicate(timeout=seconds)
-        return process.returncode, output
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        output, _ = process.communicate()
-        return None, output
 
 
 def faults(status, output, regex, seconds):
@@ -52,7 +40,7 @@ def main():
     parser.add_argument("command", nargs="+")
     arguments = parser.parse_args()
     regex = expectation(arguments.deck)
-    status, output = run(arguments.command + [arguments.deck], arguments.seconds)
+    status, output = process.execute(arguments.command + [arguments.deck], arguments.seconds)
     found = list(faults(status, output, regex, arguments.seconds))
     if found:
         print("\n".join(found), "\n--- output:\n" + output)

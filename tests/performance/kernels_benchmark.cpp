@@ -33,9 +33,7 @@ struct Blocks {
   std::shared_ptr<contact::Interaction> contact;
 
   explicit Blocks(int n)
-      : mesh(make_mesh(n)),
-        system(assembly::DofMap(mesh, {"x", "y", "z"}, std::vector<char>(mesh.node.size(), 0)),
-               timers) {
+      : mesh(make_mesh(n)), system(assembly::DofMap(mesh, {"x", "y", "z"}), timers) {
     solid::MaterialOptions material;
     material.young = 1.0;
     material.poisson = 0.3;

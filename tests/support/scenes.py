@@ -15,14 +15,14 @@ import os
 import pathlib
 import re
 import shutil
-import signal
-import subprocess
 import tempfile
 import time
 import weakref
 
 import netCDF4
 import numpy
+
+import process
 
 EXECUTABLE = os.environ.get("ABUT_EXECUTABLE") or shutil.which("abut") or "abut"
 MPIEXEC = os.environ.get("ABUT_MPIEXEC", "mpiexec")
@@ -184,16 +184,7 @@ def run(deck, ranks=None, seconds=60, quiet=True, arguments=(), files=(), check=
 
 def execute(line, seconds, folder=None):
     """Exit status (None after too long; every process is ended then) and all that was printed."""
-    process = subprocess.Popen(line, cwd=folder, env={**os.environ, **_ENVIRONMENT}, text=True,
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               start_new_session=True)
-    try:
-        output, _ = process.communicate(timeout=seconds)
-        return process.returncode, output
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        output, _ = process.communicate()
-        return None, output
+    return process.execute(line, seconds, folder, _ENVIRONMENT)
 
 
 def mesh(path, kind, **options):

@@ -38,18 +38,15 @@ std::vector<T> ask_owners(const mesh::Mesh& mesh, const std::vector<Global>& nod
 
 } // namespace
 
-DofMap::DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names,
-               const std::vector<char>& without_unknowns, RigidNodes rigid)
+DofMap::DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names, RigidNodes rigid)
     : mesh_(mesh), field_names_(std::move(field_names)), rigid_(std::move(rigid)) {
-  ABUT_REQUIRE(static_cast<Local>(without_unknowns.size()) == mesh.num_local(),
-               "one flag for each local node");
   ABUT_REQUIRE(rigid_.body.empty() || static_cast<Local>(rigid_.body.size()) == mesh.num_local(),
                "one rigid body or none for each local node");
   ABUT_REQUIRE(num_bodies() == 0 || (fields() == 3 && mesh.dim == 3),
                "rigid bodies move in space with the three displacements");
   row_of_node_.assign(static_cast<std::size_t>(mesh.num_owned), -1);
   for (Local n = 0; n < mesh.num_owned; ++n) {
-    if (without_unknowns[n] || body_of_node(n) >= 0)
+    if (body_of_node(n) >= 0)
       continue;
     row_of_node_[n] = num_node_rows();
     node_of_row_.push_back(n);

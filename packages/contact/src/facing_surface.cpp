@@ -203,6 +203,22 @@ void FacingSurface::gather(const std::vector<double>& x, Local face, Vec3* y) co
       (*y)[i] = x[std::size_t(face_nodes_[a]) * 3 + i];
 }
 
+bool FacingSurface::goes_before(Local face, Local other) const {
+  const auto center = [&](Local f) {
+    Vec3 y[fem::max_face_nodes], sum = Vec3::zero();
+    coordinates(f, y);
+    for (int a = 0; a < nodes(f); ++a)
+      sum += (1.0 / nodes(f)) * y[a];
+    return sum;
+  };
+  constexpr double same_place = 1e-6; // in face sizes
+  const Vec3 apart = center(face) - center(other);
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(apart[i]) > same_place * size_[face])
+      return apart[i] < 0.0;
+  return face < other;
+}
+
 Local FacingSurface::find(Global face_id) const {
   const auto it = std::lower_bound(face_id_.begin(), face_id_.end(), face_id);
   return it != face_id_.end() && *it == face_id ? static_cast<Local>(it - face_id_.begin()) : -1;

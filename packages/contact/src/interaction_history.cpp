@@ -118,6 +118,8 @@ void Interaction::augment() {
         update_(state, pressure, shear);
       state.history.multiplier = pressure;
       state.history.carried = state.pressed() ? store_traction(at, shear) : StoredTraction();
+      state.returns = 0; // another solve may swing for its own reasons
+      state.left = -1;
     }
   frozen_ = true;
   searches_ = 0;

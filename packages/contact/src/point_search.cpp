@@ -93,7 +93,10 @@ void Interaction::visit(const Query& q, Local candidate, double& limit, Partner&
     return;
   const bool is_inner = hold || within(round_off);
   Partner& partner = is_inner ? inner : beside;
-  if (partner.beaten_by(distance, candidate))
+  const bool tie =
+      partner.face >= 0 && std::fabs(distance - partner.distance) <= round_off * size_[q.face];
+  if (tie ? facing_.goes_before(candidate, partner.face)
+          : partner.face < 0 || distance < partner.distance)
     partner = {candidate, distance, gap, {found.xi[0], found.xi[1]}};
   if (is_inner)
     limit = std::min(limit, std::max(distance, q.line ? norm(q.origin - q.x) : 0.0));

@@ -21,11 +21,6 @@ struct Interaction::Query {
 struct Interaction::Partner {
   Local face = -1;
   double distance = 0.0, gap = 0.0, xi[2] = {0.0, 0.0};
-
-  /// Nearer, or as near with the lower face number: one partner on any number of ranks.
-  bool beaten_by(double other_distance, Local other) const {
-    return face < 0 || other_distance < distance || (other_distance == distance && other < face);
-  }
 };
 
 } // namespace abut::contact

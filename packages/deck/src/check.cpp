@@ -88,8 +88,7 @@ private:
 
   void rigid(const std::string& path, const solid::RigidMotion& motion) const {
     curve(path, motion.curve);
-    if (!motion.load_curve.empty())
-      name(path + ".load_curve", motion.load_curve, deck_.curves, "curves");
+    curve(path, motion.load_curve, ".load_curve");
   }
 
   void rigid_place(const std::string& path, const std::string& word) const {

@@ -58,8 +58,7 @@ struct Scene {
     for (const RigidBody& b : body)
       nodes.has_unknowns.push_back(b.has_unknowns());
     system = std::make_unique<assembly::EquationSystem>(
-        assembly::DofMap(mesh, {"x", "y", "z"}, std::vector<char>(mesh.node.size(), 0), nodes),
-        timers);
+        assembly::DofMap(mesh, {"x", "y", "z"}, nodes), timers);
     solid::MaterialOptions material;
     material.young = 2.0;
     material.poisson = 0.3;

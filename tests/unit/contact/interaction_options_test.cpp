@@ -333,8 +333,8 @@ TEST(InteractionOptions, SelfContactOfAFold) {
   }
 }
 
-// With multipliers, a point that came into contact in this step is not pulled back to where the step
-// began: its traction stays while the gap closes. From the next step on it sticks.
+// With multipliers, a point that came into contact in this step is not pulled back to where the
+// step began: its traction stays while the gap closes. From the next step on it sticks.
 TEST_P(Friction, AugmentationDoesNotUndoTheWayBeforeContact) {
   Law law = GetParam();
   law.enforcement = contact::Enforcement::augmented_lagrangian;

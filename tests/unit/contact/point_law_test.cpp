@@ -219,24 +219,41 @@ TEST(PointLaw, InclinedMapIsContinuousAtTheCone) {
   EXPECT_LT(worst, 1e-12);
 }
 
+namespace {
+
+/// Tractions on both sides of the limit of stick.
+struct Limit {
+  Vec3 stick, slip;
+  double jump() const { return norm(slip - stick) / norm(stick); }
+};
+
+/// Moves the primary along x until stick ends, by bisection.
+Limit find_limit(PointOnSprings& p) {
+  const Nodes start = p.s.x;
+  double low = 0.0, high = 1.0;
+  Limit limit{Vec3::zero(), Vec3::zero()};
+  for (int k = 0; k < 55; ++k) {
+    const double middle = 0.5 * (low + high);
+    for (std::size_t a = 0; a < 4; ++a)
+      p.s.x[a] = start[a] + Vec3{{middle, 0.0, 0.0}};
+    const PointRule rule = p.decide();
+    const bool sticks = rule == PointRule::incremental_stick || rule == PointRule::anchored;
+    (sticks ? low : high) = middle;
+    (sticks ? limit.stick : limit.slip) = p.s.traction().traction;
+  }
+  return limit;
+}
+
+} // namespace
+
 TEST(PointLaw, LiteralMapJumpsByTheFrictionTimesTheSlope) {
   for (const double degrees : {5.0, 10.0, 20.0}) {
     const double phi = degrees * std::acos(-1.0) / 180.0;
     auto p = PointOnSprings::planes(phi, Map::literal, true);
-    const Nodes start = p.s.x;
-    double low = 0.0, high = 1.0;
-    Vec3 stick = Vec3::zero(), slip = Vec3::zero();
-    for (int k = 0; k < 55; ++k) {
-      const double middle = 0.5 * (low + high);
-      for (std::size_t a = 0; a < 4; ++a)
-        p.s.x[a] = start[a] + Vec3{{middle, 0.0, 0.0}};
-      const bool sticks = p.decide() == PointRule::anchored;
-      (sticks ? low : high) = middle;
-      (sticks ? stick : slip) = p.s.traction().traction;
-    }
-    ASSERT_GT(norm(stick), 0.0);
-    ASSERT_GT(norm(slip), 0.0);
-    const double jump = norm(slip - stick) / norm(stick), law = 0.5 * std::tan(phi);
+    const Limit limit = find_limit(p);
+    ASSERT_GT(norm(limit.stick), 0.0);
+    ASSERT_GT(norm(limit.slip), 0.0);
+    const double jump = limit.jump(), law = 0.5 * std::tan(phi);
     EXPECT_NEAR(jump, law, 0.005 * law) << degrees; // three digits, as the theory's check found
   }
 }
@@ -250,19 +267,7 @@ TEST(PointLaw, JumpAfterShearAcross) {
     const PointRule first = p.decide();
     ASSERT_TRUE(first == PointRule::incremental_stick || first == PointRule::anchored);
     p.end_step();
-    const Nodes start = p.s.x;
-    double low = 0.0, high = 1.0;
-    Vec3 stick = Vec3::zero(), slip = Vec3::zero();
-    for (int k = 0; k < 55; ++k) {
-      const double middle = 0.5 * (low + high);
-      for (std::size_t a = 0; a < 4; ++a)
-        p.s.x[a] = start[a] + Vec3{{middle, 0.0, 0.0}};
-      const PointRule rule = p.decide();
-      const bool sticks = rule == PointRule::incremental_stick || rule == PointRule::anchored;
-      (sticks ? low : high) = middle;
-      (sticks ? stick : slip) = p.s.traction().traction;
-    }
-    const double jump = norm(slip - stick) / norm(stick);
+    const double jump = find_limit(p).jump();
     // At the limit the shear is mu p (.6, .8) in stick. The literal law forgets the .8: its slip of
     // .6 mu p/eps in this step gives mu p (.6, 0).
     if (map == Map::literal)

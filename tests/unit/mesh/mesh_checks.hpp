@@ -56,6 +56,14 @@ inline bool boundary(const MeshData& m, std::vector<SideData>& out) {
   return true;
 }
 
+/// Sides in these sets together.
+inline std::size_t faces_in(const MeshData& m, const std::vector<std::string>& sets) {
+  std::size_t sum = 0;
+  for (const std::string& set : sets)
+    sum += m.side_sets.at(set).size();
+  return sum;
+}
+
 /// Area vector of a side from its corners.
 inline Vec3 area(const MeshData& m, const SideData& s) {
   const auto n = side_nodes(m, s);

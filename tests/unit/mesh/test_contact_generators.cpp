@@ -13,13 +13,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-std::size_t faces_in(const MeshData& m, const std::vector<std::string>& sets) {
-  std::size_t sum = 0;
-  for (const std::string& set : sets)
-    sum += m.side_sets.at(set).size();
-  return sum;
-}
-
 class PairCell : public ::testing::TestWithParam<CellType> {};
 
 TEST_P(PairCell, InterfaceNodesAreOnTheSurfaceOfBothBlocks) {

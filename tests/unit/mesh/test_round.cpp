@@ -48,10 +48,7 @@ TEST_P(RoundCell, SphereIsTrueAndConforming) {
   // the sphere, with h at most R/5, so they miss at most 2 % of the eighth of a ball.
   std::vector<SideData> outside;
   ASSERT_TRUE(boundary(m, outside));
-  std::size_t in_sets = 0;
-  for (const char* set : {"curved", "top", "x0", "y0"})
-    in_sets += m.side_sets.at(set).size();
-  EXPECT_EQ(in_sets + 6, outside.size());
+  EXPECT_EQ(faces_in(m, {"curved", "top", "x0", "y0"}) + 6, outside.size());
   const double exact = pi * 8.0 / 6.0, plate = 0.4 * 1.2 * 1.2;
   EXPECT_LT(volume(m) - plate, exact);
   EXPECT_GT(volume(m) - plate, 0.98 * exact);
@@ -70,10 +67,7 @@ TEST_P(RoundCell, CylinderIsTrueAndConforming) {
     EXPECT_EQ(m.x[3 * n + 2], 1.0);
   std::vector<SideData> outside;
   ASSERT_TRUE(boundary(m, outside));
-  std::size_t in_sets = 0;
-  for (const char* set : {"curved", "top", "x0", "y0", "y1"})
-    in_sets += m.side_sets.at(set).size();
-  EXPECT_EQ(in_sets + 6, outside.size());
+  EXPECT_EQ(faces_in(m, {"curved", "top", "x0", "y0", "y1"}) + 6, outside.size());
   EXPECT_NEAR(total_area(m, m.side_sets.at("curved")), 0.05 * pi / 2.0, 0.01 * 0.05 * pi / 2.0);
   for (Global n : m.node_sets.at("pole"))
     EXPECT_EQ(point(m, n)[2], 0.0);

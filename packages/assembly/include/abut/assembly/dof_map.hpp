@@ -22,10 +22,8 @@ struct RigidNodes {
 class DofMap {
 public:
   /// field_names: of the unknowns of a node, e.g. displacement_x, ..., in their order.
-  /// without_unknowns: (N local nodes) nodes whose motion is prescribed (rigid obstacles).
   /// rigid: nodes that move with rigid bodies. Collective.
-  DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names,
-         const std::vector<char>& without_unknowns, RigidNodes rigid = {});
+  DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names, RigidNodes rigid = {});
 
   const mesh::Mesh& mesh() const { return mesh_; }
   int fields() const { return static_cast<int>(field_names_.size()); }

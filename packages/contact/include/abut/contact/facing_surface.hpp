@@ -32,6 +32,9 @@ public:
   int nodes(Local face) const { return offset_[face + 1] - offset_[face]; }
   /// The face of this id, -1 when it is not among those here.
   Local find(Global face_id) const;
+  /// Which of two faces a point above their common edge belongs to: by the place of their centers
+  /// along x, y, z. It depends neither on the numbering nor on the number of ranks.
+  bool goes_before(Local face, Local other) const;
   /// Current coordinates of a face's nodes, and those at the last converged step.
   void coordinates(Local face, Vec3* y) const { gather(x_, face, y); }
   void previous_coordinates(Local face, Vec3* y) const { gather(x_previous_, face, y); }

@@ -32,7 +32,7 @@ struct PointState {
   Local near = -1;           ///< face of the nearest partner: where the next search starts
   double near_xi[2] = {0.0, 0.0};
   Local left = -1; ///< face that was the nearest before
-  int returns = 0; ///< times the point went back to it in this step
+  int returns = 0; ///< times the point went back to it in this solve
 
   PointRule rule = PointRule::open;
   double gap = 0.0;         ///< > 0 open, offset not taken off [length]
