@@ -3,6 +3,8 @@
 
 #include "abut/core/error.hpp"
 #include "constants.hpp"
+#include "dual_law.hpp"
+#include "node_cells.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -71,6 +73,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
                                  : *std::min_element(size_.begin(), size_.end());
   smallest_size_ = comm_.min(smallest_size_);
   make_points();
+  make_dual();
 }
 
 void Interaction::set_schedules(std::function<double(double)> penalty,
@@ -205,7 +208,10 @@ void Interaction::prepare(const NodalFields& fields) {
     start();
   started_ = true;
   ++searches_;
-  evaluate_points();
+  if (dual_)
+    evaluate_nodes();
+  else
+    evaluate_points();
   frozen_ = new_step_ = false;
   build_pairs();
 }
@@ -256,6 +262,8 @@ void Interaction::build_pairs() {
     cells.add(nodes, n);
   }
   pair_list_ = std::move(list);
+  if (dual_)
+    add_node_cells(cells);
   if (cells.nodes == pairs_.nodes && cells.offsets == pairs_.offsets)
     return;
   pairs_ = std::move(cells);
@@ -264,6 +272,7 @@ void Interaction::build_pairs() {
 
 const Connectivity& Interaction::candidates() const {
   candidates_.clear();
+  std::vector<Local> face; // (candidates)
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     Box<3> b = Box<3>::empty();
     for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a)
@@ -279,8 +288,11 @@ const Connectivity& Interaction::candidates() const {
                                 return;
                               facing_.global_nodes(candidate, nodes + n);
                               candidates_.add(nodes, n + facing_.nodes(candidate));
+                              face.push_back(f);
                             });
   }
+  if (dual_)
+    add_node_candidates(candidates_, face);
   return candidates_;
 }
 

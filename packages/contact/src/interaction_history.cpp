@@ -70,6 +70,18 @@ void Interaction::start_point(Local f, int p) {
 }
 
 Augmentation Interaction::augmentation() const {
+  Augmentation result = dual_ ? node_augmentation() : point_augmentation();
+  const bool settled = result.change <= options_.multiplier_tolerance;
+  const bool closed = (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
+                      (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
+  result.converged = settled && closed;
+  // A tolerance that is not met while what it bounds still falls is worth another solve.
+  result.stalled = !result.converged && (settled || plateau(last_changes_, result.change)) &&
+                   (closed || plateau(last_gaps_, result.gap));
+  return result;
+}
+
+Augmentation Interaction::point_augmentation() const {
   double sums[2] = {0.0, 0.0}, gap = 0.0, length = 0.0;
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
@@ -94,13 +106,6 @@ Augmentation Interaction::augmentation() const {
   result.gap = comm_.max(gap);
   result.length = comm_.max(length);
   result.change = sums[1] > 0.0 ? std::sqrt(sums[0] / sums[1]) : sums[0] > 0.0 ? 1.0 : 0.0;
-  const bool settled = result.change <= options_.multiplier_tolerance;
-  const bool closed = (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
-                      (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
-  result.converged = settled && closed;
-  // A tolerance that is not met while what it bounds still falls is worth another solve.
-  result.stalled = !result.converged && (settled || plateau(last_changes_, result.change)) &&
-                   (closed || plateau(last_gaps_, result.gap));
   return result;
 }
 
@@ -108,9 +113,15 @@ void Interaction::augment() {
   const Augmentation before = augmentation();
   last_gaps_.push_back(before.gap);
   last_changes_.push_back(before.change);
+  if (dual_)
+    augment_nodes();
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
+      state.returns = 0; // another solve may swing for its own reasons
+      state.left = -1;
+      if (dual_)
+        continue;
       const auto at = primary_point(shape(f, p), primary_nodes(f));
       double pressure = state.pressure; // <lambda - eps gap>
       Vec3 shear = state.traction - pressure * state.normal;
@@ -118,8 +129,6 @@ void Interaction::augment() {
         update_(state, pressure, shear);
       state.history.multiplier = pressure;
       state.history.carried = state.pressed() ? store_traction(at, shear) : StoredTraction();
-      state.returns = 0; // another solve may swing for its own reasons
-      state.left = -1;
     }
   frozen_ = true;
   searches_ = 0;
@@ -186,10 +195,13 @@ void Interaction::advance_history(Local f, int p) {
 }
 
 void Interaction::accept() {
+  if (dual_)
+    accept_nodes();
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
-      advance_history(f, p);
+      if (!dual_)
+        advance_history(f, p);
       state.converged = state.history;
       state.returns = 0;
       state.left = -1;
@@ -213,6 +225,8 @@ void Interaction::accept() {
 }
 
 void Interaction::reject() {
+  if (dual_)
+    reject_nodes();
   for (PointState& p : points_) {
     p.history = p.converged;
     p.returns = 0;

@@ -55,13 +55,17 @@ void Interaction::evaluate_points() {
                        });
 }
 
+double Interaction::present_offset(const PointState& state) const {
+  const double fade =
+      options_.initial_overlap == InitialOverlap::resolve ? std::max(0.0, 1.0 - time_ / end_) : 1.0;
+  return options_.offset - fade * state.overlap;
+}
+
 /// A tied point or one that sticks needs no search; the others look for their partner.
 void Interaction::evaluate(Local face, int point) {
   PointState& state = points_[point_index(face, point)];
   const auto at = primary_point(shape(face, point), primary_nodes(face));
-  const double fade =
-      options_.initial_overlap == InitialOverlap::resolve ? std::max(0.0, 1.0 - time_ / end_) : 1.0;
-  state.offset = options_.offset - fade * state.overlap;
+  state.offset = present_offset(state);
   state.anchor = state.history.anchor >= 0 ? facing_.find(state.history.anchor) : -1;
   const bool anchors =
       options_.tied || (friction_ > 0.0 && options_.map() != FrictionMap::incremental);

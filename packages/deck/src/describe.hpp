@@ -155,7 +155,9 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"per_point", Multipliers::per_point,
              "one at each integration point: the theory; its pressures oscillate"},
             {"smoothed", Multipliers::smoothed,
-             "at the corner nodes of the primary, read by its points"}},
+             "at the corner nodes of the primary, read by its points"},
+            {"dual", Multipliers::dual,
+             "at the corner nodes of the primary, which hold the law of weighted gaps"}},
            "where the multipliers of augmented_lagrangian live");
   v.optional("penalty_factor", o.penalty_factor, "f in eps = f E_n A / V, when penalty is 0",
              positive("1"));

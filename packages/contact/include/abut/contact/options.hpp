@@ -37,6 +37,7 @@ enum class Multipliers {
   automatic, ///< smoothed
   per_point, ///< one at each integration point: the theory; its pressures oscillate
   smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
+  dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
 /// One contact interface. Lengths that a user would have to tune are fractions of face sizes.
@@ -80,6 +81,8 @@ struct ContactOptions {
 
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
   FrictionMap map() const {
+    if (multipliers == Multipliers::dual)
+      return FrictionMap::incremental;
     if (friction_map != FrictionMap::automatic)
       return friction_map;
     return uses_ray() ? FrictionMap::inclined_ray : FrictionMap::incremental;
