@@ -4,8 +4,8 @@ usage: pressure_study.py [--abut PROGRAM] [--meshes 2 4] [--formulations ...] [-
                          [--element hex8] [--loads 1] [--set key=value ...] [--two-bodies RATIO:FACETS ...]
 
 Meshes count facets for each contact radius a = 0.05. With more than one load the contact edge moves through one
-facet and the errors are means over the loads (largest in brackets). Columns in per cent: facet means (L2 over all,
-r < 0.9 a), nodal field (L2, inner, at the center), points (L2), then the force and the counts.
+facet and the errors are means over the loads (largest in brackets). Columns in per cent: facets (mean over points; L2
+over all, r < 0.9 a; n-facet: mean of nodal values), nodal field (L2, inner, at the center), points, force, counts.
 """
 import argparse
 import itertools
@@ -24,7 +24,7 @@ CASES = {
     "AL": {"penalty_factor": 10, "enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-3,
            "max_augmentations": 50},
 }
-SCORES = ("facet", "facet_inner", "nodal", "nodal_inner", "center", "point", "point_inner")
+SCORES = ("facet", "facet_inner", "nodal_facet", "nodal", "nodal_inner", "center", "point", "point_inner")
 
 
 def loads(facets, count):
@@ -121,7 +121,7 @@ def main():
     spaces = known.spaces or turned_block.words_of("multipliers") or [None]
     more = dict(pair.split("=", 1) for pair in known.set)
     print(f"{'':50s}" + "".join(f"{name:>{7 if known.loads == 1 else 15}s}" for name in
-                                 ("facet", "inner", "nodal", "inner", "center", "points", "inner")))
+                                 ("facet", "inner", "n-facet", "nodal", "inner", "center", "points", "inner")))
     for formulation, space, case, mesh in itertools.product(known.formulations, spaces, known.cases, known.meshes):
         options = {"formulation": formulation, **CASES[case], **({"multipliers": space} if space else {}), **more}
         scene_options = {"element": known.element, "approaches": loads(mesh, known.loads), **options}

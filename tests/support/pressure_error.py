@@ -54,7 +54,7 @@ def area_of(x):
 class Facets:
     """Mean pressures of the faces in the order of the side set, and of their points.
 
-    reference, current: (faces, corners, 3); point_x (faces, points, 3), point_p (faces, points).
+    reference, current: (faces, corners, 3); point_x (faces, points, 3); point_p, gap, active (faces, points).
     """
 
     def __init__(self, fields, blocks, side, points, step=-1):
@@ -74,8 +74,50 @@ class Facets:
         nearest = [int(numpy.argmin(numpy.sum((middle - c)**2, axis=1))) for c in centers]
         assert len(set(nearest)) == len(nearest), "points of two faces lie on one"
         self.point_x, self.point_p = px[nearest], pp[nearest]
+        self.gap = points["gap"][order].reshape(shape)[nearest]
+        self.active = points["status"][order].reshape(shape)[nearest] != "open"
         self.weights = POINT_WEIGHTS.get(shape[1], numpy.full(shape[1], 1 / shape[1]))
         self.mean = self.point_p @ self.weights
+
+
+def shape_functions(u, v):
+    """(4, ...) of a quadrilateral with corners at -1 and 1."""
+    return numpy.stack([(1 - u) * (1 - v), (1 + u) * (1 - v), (1 + u) * (1 + v), (1 - u) * (1 + v)]) / 4
+
+
+def corner_functions(facets):
+    """(4, faces, points) bilinear functions at the points, found from where the points lie."""
+    x = facets.current
+    u, v = (numpy.zeros(facets.point_p.shape) for _ in "uv")
+    for _ in range(20):
+        du = numpy.stack([-(1 - v), 1 - v, 1 + v, -(1 + v)]) / 4
+        dv = numpy.stack([-(1 - u), -(1 + u), 1 + u, 1 - u]) / 4
+        miss = facets.point_x - numpy.einsum("afp,fad->fpd", shape_functions(u, v), x)
+        tangents = numpy.stack([numpy.einsum("afp,fad->fpd", d, x) for d in (du, dv)], axis=-1)
+        step = numpy.linalg.solve(numpy.einsum("fpdi,fpdj->fpij", tangents, tangents),
+                                  numpy.einsum("fpdi,fpd->fpi", tangents, miss)[..., None])[..., 0]
+        u, v = u + step[..., 0], v + step[..., 1]
+    assert numpy.max(numpy.abs(miss)) < 1e-9, "points of curved faces"
+    return shape_functions(u, v)
+
+
+def weighted_gaps(facets, dual):
+    """Largest |mean gap| over face size at the nodes whose faces are closed at every point, with the functions of
+    the corners or their dual basis as weights. Quadrilaterals."""
+    w = facets.area[:, None] * facets.weights
+    functions = corner_functions(facets)
+    if dual:
+        mass = numpy.einsum("fp,afp,bfp->fab", w, functions, functions)
+        diagonal = numpy.einsum("fp,afp->fa", w, functions)
+        functions = numpy.einsum("fa,fab,bfp->afp", diagonal, numpy.linalg.inv(mass), functions)
+    size = facets.corners.max() + 1
+    top, bottom, closed = numpy.zeros(size), numpy.zeros(size), numpy.ones(size, bool)
+    numpy.add.at(top, facets.corners, numpy.einsum("fp,afp,fp->fa", w, functions, facets.gap))
+    numpy.add.at(bottom, facets.corners, numpy.einsum("fp,afp->fa", w, functions))
+    numpy.logical_and.at(closed, facets.corners, facets.active.all(1)[:, None])
+    nodes = numpy.intersect1d(numpy.unique(facets.corners), numpy.flatnonzero(closed))
+    face = math.sqrt(facets.area.min())
+    return float(numpy.max(numpy.abs(top[nodes] / bottom[nodes]))) / face if len(nodes) else math.nan
 
 
 def field_samples(x, p, pieces=4):
@@ -87,7 +129,7 @@ def field_samples(x, p, pieces=4):
     u, v = (a.ravel() for a in numpy.meshgrid(s, s, indexing="ij"))
     weight = numpy.outer(w, w).ravel()
     if x.shape[1] == 4:
-        shape = numpy.stack([(1 - u) * (1 - v), (1 + u) * (1 - v), (1 + u) * (1 + v), (1 - u) * (1 + v)]) / 4
+        shape = shape_functions(u, v)
         du = numpy.stack([-(1 - v), 1 - v, 1 + v, -(1 + v)]) / 4
         dv = numpy.stack([-(1 - u), -(1 + u), 1 + u, 1 - u]) / 4
     else:  # the square folded to the triangle
@@ -109,8 +151,8 @@ class HertzScore:
     """Errors against Hertz under the force of the run [1].
 
     facet: L2 of the means over the reference faces (reference centers); facet_inner: r < 0.9 a alone; facet_center: of
-    the facet next to the axis; nodal, nodal_inner: L2 of the nodal field in place; point: L2 of the points' values;
-    point_inner; center: the nodal pressure on the axis.
+    the facet next to the axis; nodal_facet: as facet, of the means of the corners' nodal pressure; nodal, nodal_inner:
+    L2 of the nodal field in place; point, point_inner: L2 of the points' values; center: nodal pressure on the axis.
     """
 
     def __init__(self, facets, quarter_force, radius, modulus):
@@ -122,6 +164,7 @@ class HertzScore:
         exact = self.exact(r)
         self.facet = relative(facets.area, facets.mean, exact)
         self.facet_inner = relative(facets.area[inner], facets.mean[inner], exact[inner])
+        self.nodal_facet = relative(facets.area, facets.nodal.mean(1), exact)
         first = numpy.argmin(r)
         self.facet_center = facets.mean[first] / exact[first] - 1
         self.facets_per_radius = self.a / math.sqrt(facets.area[first])
