@@ -29,7 +29,7 @@ void Interaction::make_dual() {
   std::vector<std::array<double, 2>> xi;
   for (Local f = 0; f < primary_.num_faces(); ++f)
     xi.insert(xi.end(), table_[f]->rule.xi.begin(), table_[f]->rule.xi.end());
-  dual_ = std::make_unique<DualLaw>(comm_, primary_, first_point_, xi, area_, size_,
+  dual_ = std::make_unique<DualLaw>(comm_, primary_, corners_, first_point_, xi, area_, size_,
                                     options_.friction > 0.0);
   node_cells_ = std::make_unique<NodeCells>();
 }

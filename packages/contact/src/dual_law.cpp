@@ -30,16 +30,16 @@ Vec3 vector_at(const double* sums) {
 
 } // namespace
 
-DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, std::vector<Local> first_point,
-                 const std::vector<std::array<double, 2>>& xi, std::vector<double> area,
-                 const std::vector<double>& size, bool friction)
-    : comm_(comm), surface_(surface), space_(comm, surface), first_point_(std::move(first_point)),
+DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpace& corners,
+                 std::vector<Local> first_point, const std::vector<std::array<double, 2>>& xi,
+                 std::vector<double> area, const std::vector<double>& size, bool friction)
+    : comm_(comm), surface_(surface), space_(corners), first_point_(std::move(first_point)),
       area_(std::move(area)), nodes_(surface.node.size()), friction_(friction) {
   corner_.assign(area_.size() * max_corners, 0.0);
   dual_ = corner_;
   std::vector<double> sums(2 * nodes_.size(), 0.0);
   for (Local f = 0; f < surface.num_faces(); ++f) {
-    const int n = corners(f);
+    const int n = space_.corners(f);
     const Local first = first_point_[f], points = first_point_[f + 1] - first;
     std::vector<double> N(std::size_t(points * n));
     for (Local q = 0; q < points; ++q)

@@ -65,10 +65,10 @@ public:
   static constexpr int max_corners = CornerSpace::max_corners;
 
   /// first_point: (faces+1), xi: (I,P) places of the points, area: (I,P) their reference areas,
-  /// size: (faces). surface must outlive the law. Collective.
-  DualLaw(const Comm& comm, const mesh::Surface& surface, std::vector<Local> first_point,
-          const std::vector<std::array<double, 2>>& xi, std::vector<double> area,
-          const std::vector<double>& size, bool friction);
+  /// size: (faces). surface and corners must outlive the law. Collective.
+  DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpace& corners,
+          std::vector<Local> first_point, const std::vector<std::array<double, 2>>& xi,
+          std::vector<double> area, const std::vector<double>& size, bool friction);
 
   /// Nodes (surface nodes) whose normal displacement is prescribed: they hand their functions on.
   void set_prescribed(std::vector<char> prescribed) { prescribed_ = std::move(prescribed); }
@@ -119,7 +119,7 @@ private:
 
   Comm comm_;
   const mesh::Surface& surface_;
-  CornerSpace space_;
+  const CornerSpace& space_;
   std::vector<Local> first_point_;
   std::vector<double> area_;          ///< (I,P) [length^2]
   std::vector<double> corner_, dual_; ///< (I,P,max_corners) of the face alone: N and psi

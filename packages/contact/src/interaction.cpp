@@ -45,7 +45,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       options_(std::move(options)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
-      size_(face_sizes(primary_)) {
+      corners_(comm, primary_), size_(face_sizes(primary_)) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
@@ -208,6 +208,7 @@ void Interaction::prepare(const NodalFields& fields) {
     start();
   started_ = true;
   ++searches_;
+  next_.clear();
   if (dual_)
     evaluate_nodes();
   else

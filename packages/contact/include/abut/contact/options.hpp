@@ -80,6 +80,9 @@ struct ContactOptions {
   int max_augmentations = 20;
 
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
+  Multipliers space() const {
+    return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
+  }
   FrictionMap map() const {
     if (multipliers == Multipliers::dual)
       return FrictionMap::incremental;
