@@ -70,6 +70,8 @@ DualPoint Interaction::read_point(Local face, int point) {
   facing_.previous_coordinates(best.face, y_previous);
   const ContactPoint c = contact_point(face, point, y_previous);
   const auto partner = contact_partner<double>(c, at, y);
+  state.xi[0] = partner.xi[0]; // to rounding, the search stops before
+  state.xi[1] = partner.xi[1];
   state.gap = partner.gap;
   state.normal = partner.c;
   d.covered = true;
