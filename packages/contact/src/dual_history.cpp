@@ -67,7 +67,7 @@ double DualLaw::slipped(const DualNode& n) const {
 }
 
 double DualLaw::dissipated(const DualNode& n) const {
-  const double now = norm(n.traction), then = n.history.shear;
+  const double now = norm(n.traction), then = n.history.sliding;
   return slipped(n) * (then > 0.0 ? 0.5 * (then + now) : now);
 }
 
@@ -75,15 +75,19 @@ void DualLaw::accept() {
   for (DualNode& n : nodes_) {
     n.history.gap = n.gap;
     n.history.in_contact = n.active();
-    n.history.shear = n.rule == PointRule::incremental_slip ? norm(n.traction) : 0.0;
+    n.history.shear = n.traction;
+    n.history.sliding = n.rule == PointRule::incremental_slip ? norm(n.traction) : 0.0;
     n.converged = n.history;
   }
   carried_converged_ = carried_;
 }
 
 void DualLaw::reject() {
-  for (DualNode& n : nodes_)
+  for (DualNode& n : nodes_) {
     n.history = n.converged;
+    n.last_shear = n.converged.shear;
+    n.was_pressed = n.converged.in_contact;
+  }
   carried_ = carried_converged_;
 }
 

@@ -29,7 +29,12 @@ void Interaction::make_dual() {
   std::vector<std::array<double, 2>> xi;
   for (Local f = 0; f < primary_.num_faces(); ++f)
     xi.insert(xi.end(), table_[f]->rule.xi.begin(), table_[f]->rule.xi.end());
-  dual_ = std::make_unique<DualLaw>(comm_, primary_, corners_, first_point_, xi, area_, size_,
+  std::vector<double> soft(size_.size(), 0.0);
+  for (std::size_t f = 0; f < soft.size(); ++f)
+    if (options_.friction_switching == FrictionSwitching::primal_dual)
+      soft[f] = soft_switching * softest_modulus_ *
+                (primary_.modulus[f] > 0.0 ? primary_.inverse_depth[f] : 1.0 / size_[f]);
+  dual_ = std::make_unique<DualLaw>(comm_, primary_, corners_, first_point_, xi, area_, size_, soft,
                                     options_.friction > 0.0);
   node_cells_ = std::make_unique<NodeCells>();
 }

@@ -32,12 +32,13 @@ Vec3 vector_at(const double* sums) {
 
 DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpace& corners,
                  std::vector<Local> first_point, const std::vector<std::array<double, 2>>& xi,
-                 std::vector<double> area, const std::vector<double>& size, bool friction)
+                 std::vector<double> area, const std::vector<double>& size,
+                 const std::vector<double>& soft, bool friction)
     : comm_(comm), surface_(surface), space_(corners), first_point_(std::move(first_point)),
       area_(std::move(area)), nodes_(surface.node.size()), friction_(friction) {
   corner_.assign(area_.size() * max_corners, 0.0);
   dual_ = corner_;
-  std::vector<double> sums(2 * nodes_.size(), 0.0);
+  std::vector<double> sums(3 * nodes_.size(), 0.0);
   for (Local f = 0; f < surface.num_faces(); ++f) {
     const int n = space_.corners(f);
     const Local first = first_point_[f], points = first_point_[f + 1] - first;
@@ -52,15 +53,18 @@ DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpa
         corner_[i] = N[std::size_t(q * n + a)];
         for (int b = 0; b < n; ++b)
           dual_[i] += C[a * n + b] * N[std::size_t(q * n + b)];
-        double* sum = &sums[2 * std::size_t(corner_nodes(f)[a])];
+        double* sum = &sums[3 * std::size_t(corner_nodes(f)[a])];
         sum[0] += area_[first + q] * corner_[i];
         sum[1] += area_[first + q] * corner_[i] * size[f];
+        sum[2] += area_[first + q] * corner_[i] * soft[f];
       }
   }
-  space_.sum(sums, 2);
+  space_.sum(sums, 3);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    nodes_[i].full = sums[2 * i];
-    nodes_[i].size = sums[2 * i] > 0.0 ? sums[2 * i + 1] / sums[2 * i] : 0.0;
+    const double* sum = &sums[3 * i];
+    nodes_[i].full = sum[0];
+    nodes_[i].size = sum[0] > 0.0 ? sum[1] / sum[0] : 0.0;
+    nodes_[i].soft = sum[0] > 0.0 ? sum[2] / sum[0] : 0.0;
   }
   psi_ = field_ = corner_;
   take_.assign(size.size() * max_corners * max_corners, 0.0);
@@ -176,7 +180,7 @@ void DualLaw::decide(double friction, bool frozen) {
 void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
   const PointRule before = n.rule;
   n.rule = PointRule::open;
-  n.touching = false;
+  n.touching = n.beyond = false;
   n.pressure = 0.0;
   n.traction = Vec3::zero();
   if (n.area == 0.0 || (frozen && before == PointRule::open))
@@ -205,10 +209,33 @@ void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
   const double size = norm(n.trial), limit = friction * n.pressure;
   const bool held =
       frozen && (before == PointRule::incremental_stick || before == PointRule::incremental_slip);
-  if (held ? before == PointRule::incremental_slip : size > limit)
+  if (held ? before == PointRule::incremental_slip : !sticks(n, limit))
     n.rule = PointRule::incremental_slip;
+  n.beyond = n.rule == PointRule::incremental_stick && size > limit;
   n.traction =
       n.rule == PointRule::incremental_slip && size > 0.0 ? (limit / size) * n.trial : n.trial;
+}
+
+/// The primal-dual criterion of Interaction::within_cone, at a node.
+bool DualLaw::sticks(const DualNode& n, double limit) const {
+  if (n.soft == 0.0 || !n.was_pressed)
+    return norm(n.trial) <= limit;
+  const double share = std::min(1.0, n.soft / n.penalty);
+  return norm((1.0 - share) * n.last_shear + share * n.trial) <= limit;
+}
+
+void DualLaw::keep_iterate(double friction) {
+  for (DualNode& n : nodes_) {
+    n.was_pressed = n.pressed();
+    const double size = norm(n.traction), limit = friction * n.pressure;
+    if (n.was_pressed)
+      n.last_shear = size > limit ? (limit / size) * n.traction : n.traction;
+  }
+}
+
+bool DualLaw::settled() const {
+  return std::none_of(nodes_.begin(), nodes_.end(),
+                      [](const DualNode& n) { return n.pressed() && n.beyond; });
 }
 
 } // namespace abut::contact

@@ -21,16 +21,19 @@ struct DualPoint {
 
 /// What a node remembers; written by augmentations and at the end of a step only.
 struct DualHistory {
-  double multiplier = 0.0; ///< [pressure]
-  bool in_contact = false; ///< at the last converged step
-  double gap = 0.0;        ///< then, less the offset [length]
-  double shear = 0.0;      ///< size of the traction of the last step if it slipped [pressure]
+  double multiplier = 0.0;   ///< [pressure]
+  bool in_contact = false;   ///< at the last converged step
+  double gap = 0.0;          ///< then, less the offset [length]
+  Vec3 shear = Vec3::zero(); ///< tangential traction then [pressure]
+  double sliding = 0.0;      ///< its size if the node slipped, else 0 [pressure]
 };
 
 /// A corner node of the primary surface, the same on every rank that has it.
 struct DualNode {
   DualHistory history, converged;
   double full = 0.0; ///< integral of its corner function [length^2]
+  double soft = 0.0; ///< stiffness that decides between stick and slip; 0: the penalty's own
+                     ///< [pressure/length]
   double size = 0.0; ///< of its faces [length]
 
   bool merged = false; ///< its function is that of its neighbours now
@@ -45,6 +48,9 @@ struct DualNode {
   double pressure = 0.0;
   double out_of_plane = 0.0; ///< normal part of the trial traction before projection [pressure]
   Vec3 trial = Vec3::zero(), traction = Vec3::zero(); ///< tangential [pressure]
+  Vec3 last_shear = Vec3::zero(); ///< of the last Newton iterate, within the cone [pressure]
+  bool was_pressed = false;       ///< at the last Newton iterate
+  bool beyond = false;            ///< sticks though its trial lies beyond the cone: not settled
 
   bool active() const { return rule != PointRule::open; }
   bool pressed() const { return active() && !touching; }
@@ -65,10 +71,13 @@ public:
   static constexpr int max_corners = CornerSpace::max_corners;
 
   /// first_point: (faces+1), xi: (I,P) places of the points, area: (I,P) their reference areas,
-  /// size: (faces). surface and corners must outlive the law. Collective.
+  /// size: (faces), soft: (faces) stiffness that decides between stick and slip on the way of
+  /// Newton, 0: the return map decides [pressure/length]. surface and corners must outlive the law.
+  /// Collective.
   DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpace& corners,
           std::vector<Local> first_point, const std::vector<std::array<double, 2>>& xi,
-          std::vector<double> area, const std::vector<double>& size, bool friction);
+          std::vector<double> area, const std::vector<double>& size,
+          const std::vector<double>& soft, bool friction);
 
   /// Nodes (surface nodes) whose normal displacement is prescribed: they hand their functions on.
   void set_prescribed(std::vector<char> prescribed) { prescribed_ = std::move(prescribed); }
@@ -80,6 +89,9 @@ public:
   bool is_new() const { return is_new_; } ///< start has not been called
   /// Pressures, status and tractions of the nodes from their means.
   void decide(double friction, bool frozen);
+  /// The tractions that switching starts from in the next configuration.
+  void keep_iterate(double friction);
+  bool settled() const; ///< the status of every node is that of the return map
 
   Local first_point(Local face) const { return first_point_[face]; }
   int corners(Local face) const { return space_.corners(face); }
@@ -115,6 +127,7 @@ public:
 private:
   void cover(const std::vector<DualPoint>& points);
   void decide(DualNode& node, double friction, bool frozen) const;
+  bool sticks(const DualNode& node, double limit) const;
   void merge(Local face, double (&take)[max_corners][max_corners]) const;
 
   Comm comm_;
