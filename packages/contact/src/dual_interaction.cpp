@@ -317,6 +317,15 @@ Vec3 Interaction::node_shear(Local face, int face_node) const {
   return dual_->face_value(face, face_node, [](const DualNode& n) { return n.traction; });
 }
 
+/// Pressure and shear of the nodes read at a point, as the nodes' own functions interpolate them.
+double Interaction::field_pressure(Local face, int point) const {
+  return dual_->interpolate(face, point, [](const DualNode& n) { return n.pressure; });
+}
+
+Vec3 Interaction::field_shear(Local face, int point) const {
+  return dual_->interpolate(face, point, [](const DualNode& n) { return n.traction; });
+}
+
 /// Twice the energy in the springs of the nodes, per area at a point.
 double Interaction::node_spring(Local face, int point) const {
   const Local index = point_index(face, point);

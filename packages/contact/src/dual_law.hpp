@@ -106,6 +106,14 @@ public:
   /// Value at node a of the face (corners, middle nodes, center) of the field that has
   /// `value(node)` at the nodes that take part.
   template <class F> auto face_value(Local face, int a, F value) const;
+  /// The same at a point of the face.
+  template <class F> auto interpolate(Local face, int point, F value) const {
+    const double* N = field(first_point_[face] + point);
+    auto sum = N[0] * value(nodes_[corner_nodes(face)[0]]);
+    for (int b = 1; b < corners(face); ++b)
+      sum += N[b] * value(nodes_[corner_nodes(face)[b]]);
+    return sum;
+  }
 
   /// Shear multiplier of corner a of the point's face, stored on the point's axes.
   StoredTraction& carried(Local point, int a) {

@@ -204,10 +204,10 @@ Augmentation Interaction::augmentation() {
 }
 
 void Interaction::augment() {
-  if (next_.size() != points_.size())
-    augmentation();
   if (dual_)
     augment_nodes();
+  else if (next_.size() != points_.size())
+    augmentation();
   last_gaps_.push_back(judged_[0]);
   last_changes_.push_back(judged_[1]);
   for (Local f = 0; f < primary_.num_faces(); ++f)

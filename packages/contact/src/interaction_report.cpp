@@ -65,11 +65,12 @@ std::vector<PointRecord> Interaction::records() const {
     for (int p = 0; p < face_points(f); ++p) {
       const PointState& state = points_[point_index(f, p)];
       const double cauchy = measure(f, p) / current_area(f, p);
-      const Vec3 shear = state.traction - state.pressure * state.normal;
+      const double pressure = dual_ ? field_pressure(f, p) : state.pressure;
+      const Vec3 shear = dual_ ? field_shear(f, p) : state.traction - state.pressure * state.normal;
       list.push_back({primary_.face_id[f], p,
                       origin_ + primary_point(shape(f, p), primary_nodes(f)).x, state.status(),
-                      state.gap, state.history.path, cauchy * state.pressure, cauchy * norm(shear),
-                      cauchy * state.traction, state.flips});
+                      state.gap, state.history.path, cauchy * pressure, cauchy * norm(shear),
+                      cauchy * (pressure * state.normal + shear), state.flips});
     }
   return list;
 }

@@ -19,12 +19,10 @@ struct Faces {
 
 std::vector<Faces> all_faces() {
   std::vector<Faces> list;
-  const FaceType pairs[][2] = {{FaceType::quad4, FaceType::quad4},
-                               {FaceType::quad4, FaceType::tri3},
-                               {FaceType::tri3, FaceType::quad8},
-                               {FaceType::quad8, FaceType::quad9},
-                               {FaceType::quad9, FaceType::quad4},
-                               {FaceType::tri6, FaceType::tri6}};
+  const FaceType pairs[][2] = {
+      {FaceType::quad4, FaceType::quad4}, {FaceType::quad4, FaceType::tri3},
+      {FaceType::tri3, FaceType::quad8},  {FaceType::quad8, FaceType::quad9},
+      {FaceType::quad9, FaceType::quad4}, {FaceType::tri6, FaceType::tri6}};
   for (const auto& p : pairs)
     for (Formulation f :
          {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})

@@ -73,7 +73,8 @@ struct NodalSums {
   std::vector<double> traction; ///< (nodes, 3)
 };
 
-/// One point as an output file wants it.
+/// One point as an output file wants it. With Multipliers::dual the tractions are those of the
+/// nodes, interpolated: what acts at the point belongs to averages and oscillates.
 struct PointRecord {
   Global face; ///< id of the primary face
   int point;   ///< on the face
@@ -210,6 +211,8 @@ private:
   void reject_nodes();
   double node_pressure(Local face, int face_node) const;
   Vec3 node_shear(Local face, int face_node) const;
+  double field_pressure(Local face, int point) const;
+  Vec3 field_shear(Local face, int point) const;
   double node_spring(Local face, int point) const;
 
   struct Multiplier {
