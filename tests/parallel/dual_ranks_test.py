@@ -33,7 +33,8 @@ def shared_nodes(run, side_set):
 
 
 class SameOnAllRanks(unittest.TestCase):
-    def compare(self, deck, side_set):
+    def compare(self, deck, side_set, cut=True):
+        """cut: whether faces around one node must lie on two ranks."""
         one = Ranks(deck, 1)
         u, contact = one.displacement(), one.result.contact()
         self.assertGreater(contact["active_points"], 0)
@@ -44,7 +45,7 @@ class SameOnAllRanks(unittest.TestCase):
                 shared = len(shared_nodes(many, side_set))
                 print(f"{self.id().split('.')[-1]} on {ranks} ranks: difference {difference:.1e}, "
                       f"{shared} pressed nodes shared, faces {many.faces(side_set)}")
-                self.assertGreater(shared, 0)
+                self.assertTrue(shared > 0 or not cut)
                 self.assertLess(difference, TOLERANCE)
                 for key in ("unknowns", "steps", "newton_iterations", "augmentations", "cut_backs"):
                     self.assertEqual(many.summary[key], one.summary[key], key)
@@ -55,17 +56,19 @@ class SameOnAllRanks(unittest.TestCase):
         return one
 
     def test_slab(self):
-        # 23 faces over 16: no point of node_on_facet starts right above an edge.
-        slab = scenes.merged(SLAB, {"mesh": {"generate": {"upper_divisions": [23, 3, 2]}}})
-        for formulation in ("facet_on_facet", "node_on_facet", "sliding_elastic"):
+        for formulation in ("facet_on_facet", "sliding_elastic"):
             for changes in (DUAL, AUGMENTED):
                 with self.subTest(formulation=formulation):
-                    deck = scenes.merged(scenes.merged(slab, changes),
+                    deck = scenes.merged(scenes.merged(SLAB, changes),
                                          {"contact": {"pair": {"formulation": formulation}}})
                     self.compare(deck, "upper_bottom")
 
-    def test_sphere(self):
-        self.compare(scenes.merged(SPHERE, AUGMENTED), "contact")
+    def test_sphere_with_ranks_without_faces(self):
+        for formulation in ("node_on_facet", "facet_on_facet"):
+            with self.subTest(formulation=formulation):
+                deck = scenes.merged(scenes.merged(SPHERE, AUGMENTED),
+                                     {"contact": {"pair": {"formulation": formulation}}})
+                self.compare(deck, "contact", cut=False)
 
     def test_friction(self):
         for formulation in ("facet_on_facet", "sliding_elastic"):
