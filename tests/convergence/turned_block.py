@@ -25,7 +25,7 @@ def words_of(key):
     status, text = scenes.execute([scenes.EXECUTABLE, "schema", "--markdown"], 60)
     assert status == 0, text
     row = re.search(rf"^\| `{key}` \| word \|.*$", text, re.M)
-    return re.findall(r"<br>`(\w+)`", row.group()) if row else []
+    return [w for w in re.findall(r"<br>`(\w+)`", row.group()) if w != "automatic"] if row else []
 
 
 def deck(options, adaptive=False):
