@@ -149,6 +149,14 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"augmented_lagrangian", Enforcement::augmented_lagrangian,
              "penalty plus multipliers, updated outside Newton"}},
            "how penetration is resisted");
+  using contact::Multipliers;
+  v.choice("multipliers", o.multipliers,
+           {{"automatic", Multipliers::automatic, "smoothed"},
+            {"per_point", Multipliers::per_point,
+             "one at each integration point: the theory; its pressures oscillate"},
+            {"smoothed", Multipliers::smoothed,
+             "at the corner nodes of the primary, read by its points"}},
+           "where the multipliers of augmented_lagrangian live");
   v.optional("penalty_factor", o.penalty_factor, "f in eps = f E_n A / V, when penalty is 0",
              positive("1"));
   v.optional("penalty", o.penalty, "eps itself; 0: automatic", at_least(0.0, "pressure/length"));

@@ -32,6 +32,13 @@ enum class Tangent {
   symmetric, ///< symmetric part of the closed form: half the solver's work, more iterations
 };
 
+/// Where the multipliers of augmented Lagrangian live. docs/theory/multipliers.md
+enum class Multipliers {
+  automatic, ///< smoothed
+  per_point, ///< one at each integration point: the theory; its pressures oscillate
+  smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
+};
+
 /// One contact interface. Lengths that a user would have to tune are fractions of face sizes.
 struct ContactOptions {
   std::string name;
@@ -40,6 +47,7 @@ struct ContactOptions {
   Formulation formulation = Formulation::facet_on_facet;
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
+  Multipliers multipliers = Multipliers::automatic;
 
   double penalty_factor = 10.0; ///< f in eps = f E_n A / V, when penalty is 0 [1]
   double penalty = 0.0;         ///< eps itself, 0 means automatic [pressure/length]
@@ -71,6 +79,9 @@ struct ContactOptions {
   int max_augmentations = 20;
 
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
+  Multipliers space() const {
+    return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
+  }
   FrictionMap map() const {
     if (friction_map != FrictionMap::automatic)
       return friction_map;
