@@ -116,6 +116,9 @@ void Interaction::accept() {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
       advance_history(f, p);
+      state.history.shear = state.pressed()
+                                ? state.traction - state.pressure * state.normal
+                                : Vec3::zero();
       state.converged = state.history;
       state.returns = 0;
       state.left = -1;
@@ -141,6 +144,8 @@ void Interaction::accept() {
 void Interaction::reject() {
   for (PointState& p : points_) {
     p.history = p.converged;
+    p.last_shear = p.converged.shear;
+    p.was_pressed = p.converged.in_contact;
     p.returns = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }

@@ -83,6 +83,7 @@ void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
 }
 
 void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
+  keep_iterate();
   using Execution = Kokkos::DefaultHostExecutionSpace;
   int singular = 0;
   Kokkos::parallel_reduce(

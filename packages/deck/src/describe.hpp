@@ -175,6 +175,12 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
              "radial return of the last traction plus the step's slip"},
             {"literal", FrictionMap::literal, "the printed theory, for comparison"}},
            "how the tangential traction follows from the motion");
+  using contact::FrictionSwitching;
+  v.choice("friction_switching", o.friction_switching,
+           {{"primal_dual", FrictionSwitching::primal_dual,
+             "by the last iterate's traction and a soft spring: does not cycle"},
+            {"return_map", FrictionSwitching::return_map, "as stiff as the penalty"}},
+           "how Newton decides between stick and slip; where it ends is the same");
   v.optional("two_pass", o.two_pass,
              "both sides carry points, each half of the traction; the other side's numbers are "
              "those of NAME_second_pass");

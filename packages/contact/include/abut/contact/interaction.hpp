@@ -115,6 +115,7 @@ public:
   void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
   bool symmetric() const override;
   double round_off_force2() const override;
+  bool settled() const override;
   void accept() override;
   void reject() override;
 
@@ -172,9 +173,12 @@ private:
   bool evaluate_inclined(Local face, int point, const PrimaryPoint<double>& at, const Vec3& trial);
   void evaluate_partner(Local face, int point, const PrimaryPoint<double>& at);
   bool normal_response(Local face, PointState& state) const;
-  PointRule sliding_rule(const PointState& state, const ContactPoint& c,
+  PointRule sliding_rule(Local face, PointState& state, const ContactPoint& c,
                          const PrimaryPoint<double>& at, const Vec3* y) const;
+  bool within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
+                   double pressure) const;
   void set_traction(Local face, int point, PointRule rule);
+  void keep_iterate();
   /// The point as the kernels take it; y_previous must live as long as the result.
   ContactPoint contact_point(Local face, int point, const Vec3* y_previous) const;
   double effective_gap(const PointState& state) const { return state.gap - state.offset; }

@@ -20,6 +20,12 @@ enum class FrictionMap {
   literal,      ///< the printed theory; not continuous at the cone
 };
 
+/// How Newton decides between stick and slip on the way to the return map's answer.
+enum class FrictionSwitching {
+  primal_dual, ///< by the last iterate's traction and a soft spring: does not cycle
+  return_map,  ///< by the return map itself, as stiff as the penalty
+};
+
 enum class InitialOverlap {
   keep,    ///< an overlap of the meshes is resolved at once
   resolve, ///< pushed out while t rises to its end
@@ -57,6 +63,7 @@ struct ContactOptions {
   double friction = 0.0;      ///< coefficient mu [1]
   std::string friction_curve; ///< factor on mu over t
   FrictionMap friction_map = FrictionMap::automatic;
+  FrictionSwitching friction_switching = FrictionSwitching::primal_dual;
 
   bool two_pass = false;     ///< both sides carry points, each half of the traction
   bool tension = false;      ///< a point that is in contact may pull
