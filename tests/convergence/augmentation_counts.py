@@ -15,7 +15,6 @@ import re
 import pressure_error
 import pressure_study
 import scenes
-import turned_block
 
 
 def block_on_block(lower=8, upper=7, hard_primary=False, **options):
@@ -77,8 +76,8 @@ def main():
     parser.add_argument("--set", nargs="+", default=[], metavar="KEY=VALUE")
     known = parser.parse_args()
     scenes.EXECUTABLE = known.abut
-    spaces = known.spaces or turned_block.words_of("multipliers") or [None]
-    more = dict(pair.split("=", 1) for pair in known.set)
+    spaces = known.spaces or scenes.words_of("multipliers") or [None]
+    more = scenes.settings(known.set)
     augmented = {"enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e6, "gap_tolerance": known.gap,
                  "max_augmentations": 50}
     for name, formulation, space, factor in itertools.product(known.scenes, known.formulations, spaces, known.factors):

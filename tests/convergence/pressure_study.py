@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pressures of a paraboloid pressed on a plane, or on a second elastic body whose mesh does not fit.
-usage: pressure_study.py [--abut PROGRAM] [--meshes 2 4] [--formulations ...] [--spaces ...] [--cases f10 f100 AL]
+usage: pressure_study.py [--abut PROGRAM] [--meshes 2 4] [--formulations ...] [--spaces ...] [--cases f10 f100 AL AL1]
                          [--element hex8] [--loads 1] [--set key=value ...] [--two-bodies RATIO:FACETS ...]
 
 Meshes count facets for each contact radius a = 0.05. With more than one load the contact edge moves through one
@@ -17,14 +17,16 @@ import scenes
 import turned_block
 
 RADIUS, CONTACT, APPROACH, POISSON = 1, 0.05, 0.0031, 0.3
-CASES = {
-    "f1": {"penalty_factor": 1},
-    "f10": {"penalty_factor": 10},
-    "f100": {"penalty_factor": 100},
-    "AL": {"penalty_factor": 10, "enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-3,
-           "max_augmentations": 50},
-}
 SCORES = ("facet", "facet_inner", "nodal_facet", "nodal", "nodal_inner", "center", "point", "point_inner")
+
+
+def case(name):
+    """f10: penalty with that factor. AL10: multipliers with that factor; AL: down to a change of 1e-3."""
+    if name == "AL":
+        return {**case("AL10"), "multiplier_tolerance": 1e-3, "max_augmentations": 50}
+    number = float(name.lstrip("fAL"))
+    augmented = {"enforcement": "augmented_lagrangian"} if name.startswith("AL") else {}
+    return {**augmented, "penalty_factor": number}
 
 
 def loads(facets, count):
@@ -118,17 +120,17 @@ def main():
     parser.add_argument("--stiff-primary", action="store_true")
     known = parser.parse_args()
     scenes.EXECUTABLE = known.abut
-    spaces = known.spaces or turned_block.words_of("multipliers") or [None]
-    more = dict(pair.split("=", 1) for pair in known.set)
+    spaces = known.spaces or scenes.words_of("multipliers") or [None]
+    more = scenes.settings(known.set)
     print(f"{'':50s}" + "".join(f"{name:>{7 if known.loads == 1 else 15}s}" for name in
                                  ("facet", "inner", "n-facet", "nodal", "inner", "center", "points", "inner")))
-    for formulation, space, case, mesh in itertools.product(known.formulations, spaces, known.cases, known.meshes):
-        options = {"formulation": formulation, **CASES[case], **({"multipliers": space} if space else {}), **more}
+    for formulation, space, word, mesh in itertools.product(known.formulations, spaces, known.cases, known.meshes):
+        options = {"formulation": formulation, **case(word), **({"multipliers": space} if space else {}), **more}
         scene_options = {"element": known.element, "approaches": loads(mesh, known.loads), **options}
         scene_list = [(two_bodies(float(b.split(":")[0]), mesh, float(b.split(":")[1]), known.stiff_primary,
                                   **scene_options), b) for b in known.two_bodies] or [(deck(mesh, **scene_options), "")]
         for scene, name in scene_list:
-            label = f"{formulation} {space or ''} {case} {name} nf={mesh}"
+            label = f"{formulation} {space or ''} {word} {name} nf={mesh}"
             try:
                 print(f"{label:50s}{Scores(scene)}", flush=True)
             except scenes.RunFailed as failure:

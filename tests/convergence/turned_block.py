@@ -20,14 +20,6 @@ FORMULATIONS = ("node_on_facet", "facet_on_facet", "sliding_elastic")
 ENFORCEMENTS = ("penalty", "augmented_lagrangian")
 
 
-def words_of(key):
-    """Words that the program knows for a key of a contact interface; none if it has no such key."""
-    status, text = scenes.execute([scenes.EXECUTABLE, "schema", "--markdown"], 60)
-    assert status == 0, text
-    row = re.search(rf"^\| `{key}` \| word \|.*$", text, re.M)
-    return re.findall(r"<br>`(\w+)`", row.group()) if row else []
-
-
 def deck(options, adaptive=False):
     """The deck with more options of its interface."""
     text = DECK.read_text()
@@ -80,9 +72,9 @@ def main():
     scenes.EXECUTABLE = known.abut
     keys = {"formulation": known.formulations, "enforcement": known.enforcements}
     for key, given in (("multipliers", known.spaces), ("friction_switching", known.switching)):
-        keys[key] = given or words_of(key)
+        keys[key] = given or scenes.words_of(key)
     keys = {key: words for key, words in keys.items() if words}
-    more = dict(pair.split("=", 1) for pair in known.set)
+    more = scenes.settings(known.set)
     print(f"{'':76s}" + "".join(f"{'f = %g' % f:>16s}" for f in known.factors))
     for words in itertools.product(*keys.values()):
         row = []

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How uniform a uniform pressure comes out through flat meshes that do not fit.
 usage: pressure_ratios.py [--abut PROGRAM] [--ratios 8:7 5:8 ...] [--elements hex8 hex20 tet10] [--spaces ...]
-                          [--cases f1 f10 f100 AL] [--formulations facet_on_facet] [--set key=value ...]
+                          [--cases f1 f10 f100 AL1 AL10 AL] [--formulations facet_on_facet] [--set key=value ...]
 
 Ratios are faces of the primary to faces of the secondary along an edge of the unit square. Cells: root mean square
 (largest) deviation from the mean in per cent, of the points, of the nodal pressure.
 """
 import argparse
 import itertools
-import re
 
 import numpy
 
@@ -16,12 +15,14 @@ import contact_patch_test
 import pressure_error
 import scenes
 
+MULTIPLIERS = {"enforcement": "augmented_lagrangian", "max_augmentations": 200}
 CASES = {
     "f1": {"penalty_factor": 1},
     "f10": {"penalty_factor": 10},
     "f100": {"penalty_factor": 100},
-    "AL": {"penalty_factor": 10, "enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-5,
-           "max_augmentations": 200},
+    "AL1": {"penalty_factor": 1, **MULTIPLIERS},
+    "AL10": {"penalty_factor": 10, **MULTIPLIERS},
+    "AL": {"penalty_factor": 10, "multiplier_tolerance": 1e-5, **MULTIPLIERS},
 }
 
 
@@ -59,13 +60,6 @@ class Deviation:
             f"  newton {self.summary['newton_iterations']} augmentations {self.summary['augmentations']}"
 
 
-def spaces_of_program():
-    status, text = scenes.execute([scenes.EXECUTABLE, "schema", "--markdown"], 60)
-    assert status == 0, text
-    row = re.search(r"^\| `multipliers` \| word \|.*$", text, re.M)
-    return re.findall(r"<br>`(\w+)`", row.group()) if row else [None]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--abut", default=scenes.EXECUTABLE)
@@ -77,10 +71,10 @@ def main():
     parser.add_argument("--set", nargs="+", default=[], metavar="KEY=VALUE")
     known = parser.parse_args()
     scenes.EXECUTABLE = known.abut
-    more = dict(pair.split("=", 1) for pair in known.set)
+    more = scenes.settings(known.set)
     print(f"{'':60s}{'points':^17s}{'nodal':^17s}")
     for element, formulation, space, case, ratio in itertools.product(
-            known.elements, known.formulations, known.spaces or spaces_of_program(), known.cases, known.ratios):
+            known.elements, known.formulations, known.spaces or scenes.words_of("multipliers"), known.cases, known.ratios):
         primary, secondary = map(int, ratio.split(":"))
         options = {"formulation": formulation, **CASES[case], **({"multipliers": space} if space else {}), **more}
         label = f"{element} {formulation} {space or ''} {case} {ratio}"

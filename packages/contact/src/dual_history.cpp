@@ -56,6 +56,7 @@ void DualLaw::augment(const MultiplierUpdate& update) {
       update(view, n.pressure, n.traction);
     }
     n.history.multiplier = n.pressure;
+    n.swaps = 0;
   }
 }
 
@@ -78,6 +79,7 @@ void DualLaw::accept() {
     n.history.shear = n.traction;
     n.history.sliding = n.rule == PointRule::incremental_slip ? norm(n.traction) : 0.0;
     n.converged = n.history;
+    n.swaps = 0;
   }
   carried_converged_ = carried_;
 }
@@ -87,6 +89,7 @@ void DualLaw::reject() {
     n.history = n.converged;
     n.last_shear = n.converged.shear;
     n.was_pressed = n.converged.in_contact;
+    n.swaps = 0;
   }
   carried_ = carried_converged_;
 }

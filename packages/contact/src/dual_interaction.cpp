@@ -120,7 +120,7 @@ void Interaction::take_traction(Local face, int point) {
   const double *psi = dual_->psi(index), *field = dual_->field(index);
   state.rule = PointRule::open;
   state.touching = true;
-  state.pressure = 0.0;
+  state.pressure = state.multiplier = 0.0;
   Vec3 shear = Vec3::zero();
   double most = 0.0;
   for (int a = 0; state.facing >= 0 && a < dual_->corners(face); ++a) {
@@ -129,6 +129,7 @@ void Interaction::take_traction(Local face, int point) {
       continue;
     state.touching = state.touching && node.touching;
     state.pressure += psi[a] * node.pressure;
+    state.multiplier += psi[a] * node.history.multiplier;
     shear += psi[a] * node.traction;
     if (state.rule == PointRule::open || field[a] > most) {
       state.rule = node.rule;
@@ -136,7 +137,6 @@ void Interaction::take_traction(Local face, int point) {
     }
   }
   state.touching = state.touching && state.active();
-  state.multiplier = state.pressure;
   state.traction = state.pressure * state.normal + shear;
 }
 

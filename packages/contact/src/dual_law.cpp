@@ -218,7 +218,7 @@ void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
 
 /// The primal-dual criterion of Interaction::within_cone, at a node.
 bool DualLaw::sticks(const DualNode& n, double limit) const {
-  if (n.soft == 0.0 || !n.was_pressed)
+  if (n.soft == 0.0 || !n.was_pressed || n.swaps < patience)
     return norm(n.trial) <= limit;
   const double share = std::min(1.0, n.soft / n.penalty);
   return norm((1.0 - share) * n.last_shear + share * n.trial) <= limit;
@@ -226,6 +226,10 @@ bool DualLaw::sticks(const DualNode& n, double limit) const {
 
 void DualLaw::keep_iterate(double friction) {
   for (DualNode& n : nodes_) {
+    if (n.was_pressed && n.pressed() &&
+        (n.rule != n.last_rule || dot(n.traction, n.last_shear) < 0.0))
+      ++n.swaps;
+    n.last_rule = n.rule;
     n.was_pressed = n.pressed();
     const double size = norm(n.traction), limit = friction * n.pressure;
     if (n.was_pressed)

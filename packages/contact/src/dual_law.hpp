@@ -48,9 +48,11 @@ struct DualNode {
   double pressure = 0.0;
   double out_of_plane = 0.0; ///< normal part of the trial traction before projection [pressure]
   Vec3 trial = Vec3::zero(), traction = Vec3::zero(); ///< tangential [pressure]
-  Vec3 last_shear = Vec3::zero(); ///< of the last Newton iterate, within the cone [pressure]
-  bool was_pressed = false;       ///< at the last Newton iterate
-  bool beyond = false;            ///< sticks though its trial lies beyond the cone: not settled
+  Vec3 last_shear = Vec3::zero();        ///< of the last Newton iterate, within the cone [pressure]
+  bool was_pressed = false;              ///< then
+  PointRule last_rule = PointRule::open; ///< then
+  int swaps = 0;                         ///< changes of status or of direction in this solve
+  bool beyond = false; ///< sticks though its trial lies beyond the cone: not settled
 
   bool active() const { return rule != PointRule::open; }
   bool pressed() const { return active() && !touching; }
