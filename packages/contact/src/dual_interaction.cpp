@@ -39,6 +39,11 @@ void Interaction::make_dual() {
   node_cells_ = std::make_unique<NodeCells>();
 }
 
+void Interaction::set_prescribed(const std::vector<char>& directions) {
+  if (dual_)
+    dual_->set_prescribed(directions);
+}
+
 /// The point as the kernels take it, with the pressure that the nodes give it.
 ContactPoint Interaction::given_point(Local face, int point, const Vec3* y_previous) const {
   ContactPoint c = contact_point(face, point, y_previous);

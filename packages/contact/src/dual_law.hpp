@@ -81,8 +81,9 @@ public:
           std::vector<double> area, const std::vector<double>& size,
           const std::vector<double>& soft, bool friction);
 
-  /// Nodes (surface nodes) whose normal displacement is prescribed: they hand their functions on.
-  void set_prescribed(std::vector<char> prescribed) { prescribed_ = std::move(prescribed); }
+  /// directions: (surface nodes) bits 1, 2, 4 where the displacement along x, y, z is prescribed.
+  /// Nodes that cannot move along the normal hand their functions on. Collective.
+  void set_prescribed(const std::vector<char>& directions);
 
   /// Weighted means at the nodes. Collective.
   void gather(const std::vector<DualPoint>& points);

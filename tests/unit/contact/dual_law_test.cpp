@@ -277,6 +277,27 @@ TEST(DualOverhang, KeepsUniformPressure) {
     }
 }
 
+// A corner and a node in the middle of a side cannot move along the normal; a third can, it is
+// prescribed along the face only. Their neighbours speak for the first two.
+TEST_P(DualLaws, PrescribedNodesHaveNoMultiplierOfTheirOwn) {
+  ContactOptions o = options(GetParam());
+  o.enforcement = Enforcement::augmented_lagrangian;
+  Plates plates(o);
+  std::vector<char> directions(9, 0);
+  directions[0] = 7;
+  directions[5] = 4;
+  directions[7] = 3;
+  plates.pair.set_prescribed(directions);
+  std::vector<int> seen;
+  plates.pair.set_update([&](const PointState&, double& p, Vec3&) { seen.push_back(p > 0.0); });
+  const Vec3 f = plates.force(0.13, 0.07, -0.01);
+  EXPECT_NEAR(f[2], 1.0, 1e-13);
+  for (double p : plates.pressures())
+    EXPECT_NEAR(p, 1.0, 1e-12);
+  plates.pair.augment();
+  EXPECT_EQ(seen, (std::vector<int>{0, 1, 1, 1, 1, 0, 1, 1, 1}));
+}
+
 TEST(DualOptions, RefusesWhatItCannotDo) {
   const auto refused = [](const std::function<void(ContactOptions&)>& change) {
     ContactOptions o = options(Formulation::sliding_elastic, 0.3);

@@ -110,6 +110,10 @@ public:
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
   /// for deep points. For checks.
   void set_exact_tangent(bool exact) { exact_tangent_ = exact; }
+  /// Which displacements of the primary's nodes are prescribed, (surface nodes), bits 1, 2, 4 for x,
+  /// y, z: a node of the dual law that cannot move along the normal has no multiplier of its own.
+  /// Collective.
+  void set_prescribed(const std::vector<char>& directions);
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t) { end_ = t; }
 
