@@ -112,6 +112,7 @@ void Interaction::advance_history(Local f, int p) {
 }
 
 void Interaction::accept() {
+  choose_factor();
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
