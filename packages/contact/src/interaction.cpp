@@ -3,6 +3,8 @@
 
 #include "abut/core/error.hpp"
 #include "constants.hpp"
+#include "dual_law.hpp"
+#include "node_cells.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -35,14 +37,14 @@ double largest_motion(const double* now, const double* then, std::size_t nodes) 
   return std::sqrt(most);
 }
 
-/// f of the automatic penalty where the deck gives none: stiff enough without multipliers; soft with
-/// smoothed ones, whose points are as accurate as their springs are soft.
+/// f of the automatic penalty where the deck gives none: soft with smoothed multipliers, whose points
+/// are as accurate as their springs are soft; stiff with dual ones, which it only brings in faster.
 double first_factor(const ContactOptions& options) {
   if (options.penalty_factor > 0.0)
     return options.penalty_factor;
-  const bool smoothed = options.enforcement == Enforcement::augmented_lagrangian &&
-                        options.space() == Multipliers::smoothed;
-  return smoothed ? 3.0 : 10.0;
+  if (options.enforcement == Enforcement::penalty || options.space() == Multipliers::per_point)
+    return 10.0;
+  return options.space() == Multipliers::smoothed ? 3.0 : 30.0;
 }
 
 } // namespace
@@ -82,6 +84,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
                                  : *std::min_element(size_.begin(), size_.end());
   smallest_size_ = comm_.min(smallest_size_);
   make_points();
+  make_dual();
 }
 
 void Interaction::set_schedules(std::function<double(double)> penalty,
@@ -217,7 +220,10 @@ void Interaction::prepare(const NodalFields& fields) {
   started_ = true;
   ++searches_;
   next_.clear();
-  evaluate_points();
+  if (dual_)
+    evaluate_nodes();
+  else
+    evaluate_points();
   frozen_ = new_step_ = false;
   build_pairs();
 }
@@ -268,6 +274,8 @@ void Interaction::build_pairs() {
     cells.add(nodes, n);
   }
   pair_list_ = std::move(list);
+  if (dual_)
+    add_node_cells(cells);
   if (cells.nodes == pairs_.nodes && cells.offsets == pairs_.offsets)
     return;
   pairs_ = std::move(cells);
@@ -276,6 +284,7 @@ void Interaction::build_pairs() {
 
 const Connectivity& Interaction::candidates() const {
   candidates_.clear();
+  std::vector<Local> face; // (candidates)
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     Box<3> b = Box<3>::empty();
     for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a)
@@ -291,8 +300,11 @@ const Connectivity& Interaction::candidates() const {
                                 return;
                               facing_.global_nodes(candidate, nodes + n);
                               candidates_.add(nodes, n + facing_.nodes(candidate));
+                              face.push_back(f);
                             });
   }
+  if (dual_)
+    add_node_candidates(candidates_, face);
   return candidates_;
 }
 
