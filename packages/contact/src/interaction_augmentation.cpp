@@ -172,6 +172,24 @@ double Interaction::relative_change() const {
   return total[1] > 0.0 ? std::sqrt(total[0] / total[1]) : total[0] > 0.0 ? 1.0 : 0.0;
 }
 
+/// Averages leave a penetration of no more than p_max/(6 f E) face sizes: f for the one asked for.
+void Interaction::choose_factor() {
+  if (factor_chosen_ || options_.penalty_factor > 0.0 || options_.gap_tolerance == 0.0 ||
+      options_.space() != Multipliers::smoothed || softest_modulus_ == 0.0 ||
+      options_.enforcement != Enforcement::augmented_lagrangian)
+    return;
+  double most = 0.0;
+  for (const PointState& state : points_)
+    most = std::max(most, state.pressure);
+  most = comm_.max(most);
+  if (most == 0.0)
+    return;
+  constexpr double least_factor = 1.0, largest_factor = 10.0;
+  factor_ = std::clamp(most / (6.0 * softest_modulus_ * options_.gap_tolerance), least_factor,
+                       largest_factor);
+  factor_chosen_ = true;
+}
+
 Augmentation Interaction::augmentation() {
   Augmentation result;
   const auto judge = [&] {

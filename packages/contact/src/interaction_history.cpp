@@ -112,6 +112,7 @@ void Interaction::advance_history(Local f, int p) {
 }
 
 void Interaction::accept() {
+  choose_factor();
   if (dual_)
     accept_nodes();
   for (Local f = 0; f < primary_.num_faces(); ++f) {

@@ -144,6 +144,8 @@ public:
   const mesh::Surface& primary() const { return primary_; }
   const ContactOptions& options() const { return options_; }
   const std::vector<PointState>& points() const { return points_; } ///< (I,P)
+  /// f of the automatic penalty; 0 when `penalty` is given.
+  double penalty_factor() const { return options_.penalty > 0.0 ? 0.0 : factor_; }
   double softest_modulus() const { return softest_modulus_; }
 
   /// Whether opposed normals were found for the points that have a partner within one face size
@@ -223,6 +225,7 @@ private:
     double pressure = 0.0;
     Vec3 shear = Vec3::zero();
   };
+  void choose_factor();
   void propose();
   void propose_averages();
   Multiplier base(const PointState& state, const PrimaryPoint<double>& at) const;
@@ -259,6 +262,8 @@ private:
   double end_ = 1.0, time_ = 0.0, penalty_scale_ = 1.0, friction_ = 0.0;
   FacingSurface facing_;
   CornerSpace corners_;
+  double factor_;              ///< f of the automatic penalty
+  bool factor_chosen_ = false; ///< by the pressure of the first step in contact
   double softest_modulus_ = 0.0;
   double slack_ = 0.0;         ///< motion after which faces are collected anew [length]
   std::vector<double> size_;   ///< (primary faces) [length]
