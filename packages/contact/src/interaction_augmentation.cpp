@@ -200,6 +200,7 @@ void Interaction::augment() {
       state.history.multiplier = next_[i].pressure;
       state.history.carried =
           state.pressed() ? store_traction(at, next_[i].shear) : StoredTraction();
+      state.swaps = 0;
       state.returns = 0; // another solve may swing for its own reasons
       state.left = -1;
     }

@@ -120,7 +120,7 @@ void Interaction::accept() {
                                 ? state.traction - state.pressure * state.normal
                                 : Vec3::zero();
       state.converged = state.history;
-      state.returns = 0;
+      state.returns = state.swaps = 0;
       state.left = -1;
     }
     if (options_.update_penalty) {
@@ -146,7 +146,7 @@ void Interaction::reject() {
     p.history = p.converged;
     p.last_shear = p.converged.shear;
     p.was_pressed = p.converged.in_contact;
-    p.returns = 0;
+    p.returns = p.swaps = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }
   last_gaps_.clear();

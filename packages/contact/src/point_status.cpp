@@ -201,15 +201,17 @@ PointRule Interaction::sliding_rule(Local face, PointState& state, const Contact
   return sticks ? PointRule::incremental_stick : PointRule::incremental_slip;
 }
 
-/// Whether a point sticks with the trial shear. A penalty spring overshoots the cone on either side
-/// with every small motion, so that Newton would throw the point from slip to slip. The primal-dual
-/// criterion starts from the last iterate's traction and adds the trial's change as a soft spring
-/// would: a point whose slip turns back sticks first. Both agree where Newton ends, for there the
-/// last traction is the return map's (Alart & Curnier 1991; Hueeber, Stadler & Wohlmuth 2008).
+/// Whether a point sticks with the trial shear. A stiff spring overshoots the cone on either side
+/// with every small motion, so that Newton can throw the point from slip to slip for ever. The
+/// primal-dual criterion starts from the last iterate's traction and adds the trial's change as a
+/// soft spring would: a point whose slip turns back sticks first. Both agree where Newton ends, for
+/// there the last traction is the return map's (Alart & Curnier 1991; Hueber, Stadler & Wohlmuth
+/// 2008). The return map needs fewer iterations as long as the point makes up its mind.
 bool Interaction::within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
                               double pressure) const {
   const double limit = friction_ * pressure;
-  if (options_.friction_switching == FrictionSwitching::return_map || !state.was_pressed)
+  if (options_.friction_switching == FrictionSwitching::return_map || !state.was_pressed ||
+      state.swaps < patience)
     return pressure > 0.0 && norm(trial) <= limit;
   const double inverse_depth = primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face]
                                                              : facing_.inverse_depth(facing);
@@ -221,10 +223,15 @@ bool Interaction::within_cone(Local face, Local facing, const PointState& state,
 /// The traction that switching starts from in the next configuration.
 void Interaction::keep_iterate() {
   for (PointState& state : points_) {
+    const Vec3 now = state.traction - state.pressure * state.normal;
+    if (state.was_pressed && state.pressed() &&
+        (state.status() != state.last_status || dot(now, state.last_shear) < 0.0))
+      ++state.swaps;
+    state.last_status = state.status();
     state.was_pressed = state.pressed();
     if (!state.pressed())
       continue;
-    state.last_shear = state.traction - state.pressure * state.normal;
+    state.last_shear = now;
     const double size = norm(state.last_shear), limit = friction_ * std::max(0.0, state.pressure);
     if (size > limit)
       state.last_shear = (limit / size) * state.last_shear;

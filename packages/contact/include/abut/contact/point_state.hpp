@@ -45,7 +45,9 @@ struct PointState {
   Vec3 traction{{0, 0, 0}}; ///< on the primary, of the same measure [pressure]
   Vec3 normal{{0, 0, 0}};   ///< contact normal, from the secondary to the primary
   Vec3 last_shear{{0, 0, 0}}; ///< of the last Newton iterate, within the cone [pressure]
-  bool was_pressed = false;   ///< at the last Newton iterate
+  bool was_pressed = false;           ///< then
+  Status last_status = Status::open;  ///< then
+  int swaps = 0;                      ///< changes of status or of direction in this solve
   bool beyond = false;        ///< sticks though its traction lies beyond the cone: not settled
   int flips = 0;            ///< changes of status in this step
   bool touching = false;    ///< no pressure, but stiff: bodies that just touch hold
