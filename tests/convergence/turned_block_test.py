@@ -39,11 +39,16 @@ class TurnedBlock(unittest.TestCase):
                     self.check(penalty_factor=factor, multipliers=space, **AUGMENTED)
 
     def test_switching_does_not_move_the_answer(self):
-        # both are solved to 1e-8 of the forces; the path has 12 steps
-        ends = [self.check(penalty_factor=1, friction_switching=word).result.force("interface")
+        # stiff enough for the ways there to differ; each of the 12 steps is solved to 1e-8 of the forces
+        factor = 10 if FORMULATION == "node_on_facet" else 50
+        runs = [self.check(penalty_factor=factor, friction_switching=word)
                 for word in scenes.words_of("friction_switching")]
-        self.assertEqual(len(ends), 2)
-        self.assertLess(numpy.max(numpy.abs(ends[1] - ends[0])), 12 * 1e-8 * numpy.linalg.norm(ends[0]))
+        self.assertEqual(len(runs), 2)
+        self.assertNotEqual(runs[0].steps, runs[1].steps)
+        ends = [run.result.force("interface") for run in runs]
+        difference = numpy.max(numpy.abs(ends[1] - ends[0])) / numpy.linalg.norm(ends[0])
+        print(f"  difference of the forces {difference:.1e}")
+        self.assertLess(difference, 12 * 1e-8)
 
 
 if __name__ == "__main__":
