@@ -173,6 +173,16 @@ void check_conflicts(const Model& m) {
       }
 }
 
+/// For each node of a surface bits 1, 2, 4 where its displacement along x, y, z is prescribed.
+std::vector<char> prescribed_directions(const Model& m, const mesh::Surface& surface) {
+  std::vector<char> of_node(static_cast<std::size_t>(m.mesh->num_local()), 0), result;
+  for (const assembly::Constraint& c : m.constraints)
+    of_node[std::size_t(c.node)] = static_cast<char>(of_node[std::size_t(c.node)] | 1 << c.field);
+  for (Local i : surface.field_index)
+    result.push_back(of_node[std::size_t(i)]);
+  return result;
+}
+
 void add_contact(Model& m, const contact::ContactOptions& options) {
   solid::BlockMaterials materials;
   for (const auto& material : m.material)
@@ -192,6 +202,7 @@ void add_contact(Model& m, const contact::ContactOptions& options) {
     contact.set_schedules(given_curve(m.deck, pass.penalty_curve),
                           given_curve(m.deck, pass.friction_curve));
     contact.set_end(m.deck.time.end);
+    contact.set_prescribed(prescribed_directions(m, contact.primary()));
   };
   try {
     add(options, options.two_pass ? 0.5 : 1.0);

@@ -40,6 +40,7 @@ Json contact_json(const Model& m, const State& s) {
     all[m.contacts[i]->name()] = {
         {"formulation", formulation_name(m.contacts[i]->options().formulation)},
         {"enforcement", augmented ? "augmented_lagrangian" : "penalty"},
+        {"penalty_factor", m.contacts[i]->penalty_factor()},
         {"active_points", c.active_points},
         {"stick_points", c.stick_points},
         {"slip_points", c.slip_points},

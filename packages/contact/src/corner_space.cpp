@@ -9,7 +9,7 @@
 namespace abut::contact {
 
 CornerSpace::CornerSpace(const Comm& comm, const mesh::Surface& surface)
-    : comm_(comm), surface_(surface) {
+    : comm_(comm), surface_(surface), is_shared_(surface.node.size(), 0), owner_(surface.node.size(), comm.rank()) {
   const auto ranks = static_cast<std::size_t>(comm.size());
   // A node's home, picked by its number, tells every holder who the others are.
   std::vector<std::vector<Global>> held(ranks);
@@ -38,13 +38,16 @@ CornerSpace::CornerSpace(const Comm& comm, const mesh::Surface& surface)
     for (std::size_t i = 0; i < part.size(); i += 2 + static_cast<std::size_t>(part[i + 1])) {
       const Local n = here.at(part[i]);
       shared_.push_back(n);
+      is_shared_[n] = 1;
       for (Global k = 0; k < part[i + 1]; ++k)
         with[static_cast<int>(part[i + 2 + static_cast<std::size_t>(k)])][part[i]] = n;
     }
   for (const auto& [rank, nodes] : with) {
     neighbours_.push_back({rank, {}});
-    for (const auto& [id, n] : nodes)
+    for (const auto& [id, n] : nodes) {
       neighbours_.back().nodes.push_back(n);
+      owner_[n] = std::min(owner_[n], rank);
+    }
   }
 }
 

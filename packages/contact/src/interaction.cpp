@@ -3,6 +3,8 @@
 
 #include "abut/core/error.hpp"
 #include "constants.hpp"
+#include "dual_law.hpp"
+#include "node_cells.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -35,6 +37,16 @@ double largest_motion(const double* now, const double* then, std::size_t nodes) 
   return std::sqrt(most);
 }
 
+/// f of the automatic penalty where the deck gives none: soft with smoothed multipliers, whose points
+/// are as accurate as their springs are soft; stiff with dual ones, which it only brings in faster.
+double first_factor(const ContactOptions& options) {
+  if (options.penalty_factor > 0.0)
+    return options.penalty_factor;
+  if (options.enforcement == Enforcement::penalty || options.space() == Multipliers::per_point)
+    return 10.0;
+  return options.space() == Multipliers::smoothed ? 3.0 : 30.0;
+}
+
 } // namespace
 
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
@@ -43,7 +55,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       options_(std::move(options)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
-      corners_(comm, primary_),
+      corners_(comm, primary_), factor_(first_factor(options_)),
       size_(face_sizes(primary_)) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
@@ -72,6 +84,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
                                  : *std::min_element(size_.begin(), size_.end());
   smallest_size_ = comm_.min(smallest_size_);
   make_points();
+  make_dual();
 }
 
 void Interaction::set_schedules(std::function<double(double)> penalty,
@@ -207,7 +220,10 @@ void Interaction::prepare(const NodalFields& fields) {
   started_ = true;
   ++searches_;
   next_.clear();
-  evaluate_points();
+  if (dual_)
+    evaluate_nodes();
+  else
+    evaluate_points();
   frozen_ = new_step_ = false;
   build_pairs();
 }
@@ -219,7 +235,7 @@ double Interaction::penalty_of(Local face, Local facing) const {
     return penalty_scale_ * options_.penalty;
   const double inverse_depth =
       primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face] : facing_.inverse_depth(facing);
-  return penalty_scale_ * options_.penalty_factor * softest_modulus_ * inverse_depth *
+  return penalty_scale_ * factor_ * softest_modulus_ * inverse_depth *
          stretch_[face];
 }
 
@@ -258,6 +274,8 @@ void Interaction::build_pairs() {
     cells.add(nodes, n);
   }
   pair_list_ = std::move(list);
+  if (dual_)
+    add_node_cells(cells);
   if (cells.nodes == pairs_.nodes && cells.offsets == pairs_.offsets)
     return;
   pairs_ = std::move(cells);
@@ -266,6 +284,7 @@ void Interaction::build_pairs() {
 
 const Connectivity& Interaction::candidates() const {
   candidates_.clear();
+  std::vector<Local> face; // (candidates)
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     Box<3> b = Box<3>::empty();
     for (int a = 0; a < fem::face_nodes(primary_.type[f]); ++a)
@@ -281,8 +300,11 @@ const Connectivity& Interaction::candidates() const {
                                 return;
                               facing_.global_nodes(candidate, nodes + n);
                               candidates_.add(nodes, n + facing_.nodes(candidate));
+                              face.push_back(f);
                             });
   }
+  if (dual_)
+    add_node_candidates(candidates_, face);
   return candidates_;
 }
 

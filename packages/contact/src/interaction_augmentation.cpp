@@ -26,7 +26,17 @@ bool plateau(const std::vector<double>& earlier, double now) {
 }
 
 /// Columns of what is summed at the corners; all but the first are weighted with it.
-enum Sums { weight, size, pressure, shear, closed = shear + 3, sticking, gap, motion, sums = motion + 3 };
+enum Sums {
+  weight,
+  size,
+  pressure,
+  shear,
+  closed = shear + 3,
+  sticking,
+  gap,
+  motion,
+  sums = motion + 3
+};
 
 } // namespace
 
@@ -101,7 +111,9 @@ void Interaction::propose_averages() {
     violation_length_ = std::max(violation_length_, most);
   }
   each_covered_point([&](Local f, int p, const PointState& state, const double* N) {
-    const auto read = [&](int column) { return corners_.interpolate(f, N, at_corners, column, sums); };
+    const auto read = [&](int column) {
+      return corners_.interpolate(f, N, at_corners, column, sums);
+    };
     const Multiplier from = base(state, primary_point(shape(f, p), primary_nodes(f)));
     Multiplier& next = next_[point_index(f, p)];
     next.pressure = from.pressure + read(pressure);
@@ -160,15 +172,37 @@ double Interaction::relative_change() const {
   return total[1] > 0.0 ? std::sqrt(total[0] / total[1]) : total[0] > 0.0 ? 1.0 : 0.0;
 }
 
+/// Averages leave a penetration of no more than p_max/(6 f E) face sizes: f for the one asked for.
+void Interaction::choose_factor() {
+  if (factor_chosen_ || options_.penalty_factor > 0.0 || options_.gap_tolerance == 0.0 ||
+      options_.space() != Multipliers::smoothed || softest_modulus_ == 0.0 ||
+      options_.enforcement != Enforcement::augmented_lagrangian)
+    return;
+  double most = 0.0;
+  for (const PointState& state : points_)
+    most = std::max(most, state.pressure);
+  most = comm_.max(most);
+  if (most == 0.0)
+    return;
+  constexpr double least_factor = 1.0, largest_factor = 10.0;
+  factor_ = std::clamp(most / (6.0 * softest_modulus_ * options_.gap_tolerance), least_factor,
+                       largest_factor);
+  factor_chosen_ = true;
+}
+
 Augmentation Interaction::augmentation() {
   Augmentation result;
   const auto judge = [&] {
-    propose();
-    if (options_.space() == Multipliers::per_point)
-      measure_points();
-    result.change = relative_change();
-    result.gap = comm_.max(violation_);
-    result.length = comm_.max(violation_length_);
+    if (dual_) {
+      result = node_augmentation();
+    } else {
+      propose();
+      if (options_.space() == Multipliers::per_point)
+        measure_points();
+      result.change = relative_change();
+      result.gap = comm_.max(violation_);
+      result.length = comm_.max(violation_length_);
+    }
     return (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
            (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
   };
@@ -188,7 +222,9 @@ Augmentation Interaction::augmentation() {
 }
 
 void Interaction::augment() {
-  if (next_.size() != points_.size())
+  if (dual_)
+    augment_nodes();
+  else if (next_.size() != points_.size())
     augmentation();
   last_gaps_.push_back(judged_[0]);
   last_changes_.push_back(judged_[1]);
@@ -196,13 +232,15 @@ void Interaction::augment() {
     for (int p = 0; p < face_points(f); ++p) {
       const Local i = point_index(f, p);
       PointState& state = points_[i];
+      state.swaps = 0;
+      state.returns = 0; // another solve may swing for its own reasons
+      state.left = -1;
+      if (dual_)
+        continue;
       const auto at = primary_point(shape(f, p), primary_nodes(f));
       state.history.multiplier = next_[i].pressure;
       state.history.carried =
           state.pressed() ? store_traction(at, next_[i].shear) : StoredTraction();
-      state.swaps = 0;
-      state.returns = 0; // another solve may swing for its own reasons
-      state.left = -1;
     }
   frozen_ = true;
   searches_ = 0;

@@ -112,13 +112,16 @@ void Interaction::advance_history(Local f, int p) {
 }
 
 void Interaction::accept() {
+  choose_factor();
+  if (dual_)
+    accept_nodes();
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
-      advance_history(f, p);
-      state.history.shear = state.pressed()
-                                ? state.traction - state.pressure * state.normal
-                                : Vec3::zero();
+      if (!dual_)
+        advance_history(f, p);
+      state.history.shear =
+          state.pressed() ? state.traction - state.pressure * state.normal : Vec3::zero();
       state.converged = state.history;
       state.returns = state.swaps = 0;
       state.left = -1;
@@ -142,6 +145,8 @@ void Interaction::accept() {
 }
 
 void Interaction::reject() {
+  if (dual_)
+    reject_nodes();
   for (PointState& p : points_) {
     p.history = p.converged;
     p.last_shear = p.converged.shear;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/interaction.hpp"
 
-#include "abut/contact/point_tangent.hpp"
+#include "abut/contact/dual_columns.hpp"
 #include "abut/core/error.hpp"
 #include "automatic_tangent.hpp"
 #include "constants.hpp"
@@ -33,7 +33,7 @@ SecondaryNodes secondary_nodes(const FacingSurface& surface, Local facing, Local
 /// this.
 void moderate(ContactPoint& c, const PointState& state, double size) {
   const double excess =
-      state.pressure - state.multiplier - moderate_depth * size * c.penalty;
+      state.pressure - state.multiplier - moderate_depth * size * state.penalty;
   if (excess > 0.0 && c.ray)
     c.multiplier -= excess;
 }
@@ -98,13 +98,16 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
         double k[9 * max_nodes * max_nodes];
         std::fill_n(k, n * n, 0.0);
         for (Local p : pair.points) {
-          ContactPoint c = contact_point(pair.face, p, s.y_previous);
+          ContactPoint c = dual_ ? given_point(pair.face, p, s.y_previous)
+                                 : contact_point(pair.face, p, s.y_previous);
           if (!exact_tangent_ && searches_ <= early_searches)
             moderate(c, points_[point_index(pair.face, p)], size_[pair.face]);
           const Vec3* x = primary_nodes(pair.face);
           const bool one_face = pair.anchor < 0;
           const bool fine = options_.tangent == Tangent::automatic
                                 ? automatic_tangent(c, x, s.y, s.z, one_face, k)
+                            : dual_ && friction_ > 0.0
+                                ? given_traction_tangent(c, given_shear(pair.face, p), x, s.y, k)
                                 : point_tangent(c, x, s.y, s.z, one_face, k);
           failed += !fine;
         }
@@ -113,6 +116,8 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
         scatter.add(i, k);
       },
       singular);
+  if (dual_)
+    scatter_node_cells(scatter);
   if (singular > 0)
     throw SolveError("contact." + options_.name + ": " + std::to_string(singular) +
                      " points lie at the centre of curvature of '" + secondary_.name +

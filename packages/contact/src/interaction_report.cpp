@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/interaction.hpp"
 
+#include "dual_law.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -43,12 +45,14 @@ NodalSums Interaction::nodal_sums() const {
         share *= area;
         const auto node = static_cast<std::size_t>(primary_.nodes[primary_.offset[f] + a]);
         s.weight[node] += share;
-        s.pressure[node] += share * cauchy * state.pressure;
+        const double pressure = dual_ ? node_pressure(f, a) : state.pressure;
+        const Vec3 traction = dual_ ? pressure * state.normal + node_shear(f, a) : state.traction;
+        s.pressure[node] += share * cauchy * pressure;
         s.gap[node] += share * state.gap;
         s.slip[node] += share * state.history.path;
         s.status[node] += share * double(state.status());
         for (int i = 0; i < 3; ++i)
-          s.traction[3 * node + std::size_t(i)] += share * cauchy * state.traction[i];
+          s.traction[3 * node + std::size_t(i)] += share * cauchy * traction[i];
       }
     }
   }
@@ -61,11 +65,12 @@ std::vector<PointRecord> Interaction::records() const {
     for (int p = 0; p < face_points(f); ++p) {
       const PointState& state = points_[point_index(f, p)];
       const double cauchy = measure(f, p) / current_area(f, p);
-      const Vec3 shear = state.traction - state.pressure * state.normal;
+      const double pressure = dual_ ? field_pressure(f, p) : state.pressure;
+      const Vec3 shear = dual_ ? field_shear(f, p) : state.traction - state.pressure * state.normal;
       list.push_back({primary_.face_id[f], p,
                       origin_ + primary_point(shape(f, p), primary_nodes(f)).x, state.status(),
-                      state.gap, state.history.path, cauchy * state.pressure, cauchy * norm(shear),
-                      cauchy * state.traction, state.flips});
+                      state.gap, state.history.path, cauchy * pressure, cauchy * norm(shear),
+                      cauchy * (pressure * state.normal + shear), state.flips});
     }
   return list;
 }
@@ -139,7 +144,9 @@ ContactSummary Interaction::summary() const {
       const bool augmented = options_.enforcement == Enforcement::augmented_lagrangian;
       const double normal = state.pressure - state.multiplier;
       const double square = normal * normal + (augmented ? 0.0 : dot(shear, shear));
-      tally.sum[Tally::energy] += state.penalty > 0.0 ? 0.5 * weight * square / state.penalty : 0.0;
+      tally.sum[Tally::energy] += dual_                 ? 0.5 * weight * node_spring(f, p)
+                                  : state.penalty > 0.0 ? 0.5 * weight * square / state.penalty
+                                                        : 0.0;
       tally.raise(Tally::pressure, state.pressure * measure(f, p) / current_area(f, p));
       tally.raise(Tally::penetration, -effective_gap(state));
       tally.raise(Tally::relative, -effective_gap(state) / size_[f]);

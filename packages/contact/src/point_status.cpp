@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which rule holds at a point: open, stick or slip, by the return map of its friction.
 #include "constants.hpp"
+#include "dual_law.hpp"
 #include "point_search.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -55,13 +56,17 @@ void Interaction::evaluate_points() {
                        });
 }
 
+double Interaction::present_offset(const PointState& state) const {
+  const double fade =
+      options_.initial_overlap == InitialOverlap::resolve ? std::max(0.0, 1.0 - time_ / end_) : 1.0;
+  return options_.offset - fade * state.overlap;
+}
+
 /// A tied point or one that sticks needs no search; the others look for their partner.
 void Interaction::evaluate(Local face, int point) {
   PointState& state = points_[point_index(face, point)];
   const auto at = primary_point(shape(face, point), primary_nodes(face));
-  const double fade =
-      options_.initial_overlap == InitialOverlap::resolve ? std::max(0.0, 1.0 - time_ / end_) : 1.0;
-  state.offset = options_.offset - fade * state.overlap;
+  state.offset = present_offset(state);
   state.anchor = state.history.anchor >= 0 ? facing_.find(state.history.anchor) : -1;
   const bool anchors =
       options_.tied || (friction_ > 0.0 && options_.map() != FrictionMap::incremental);
@@ -222,6 +227,8 @@ bool Interaction::within_cone(Local face, Local facing, const PointState& state,
 
 /// The traction that switching starts from in the next configuration.
 void Interaction::keep_iterate() {
+  if (dual_)
+    dual_->keep_iterate(friction_);
   for (PointState& state : points_) {
     const Vec3 now = state.traction - state.pressure * state.normal;
     if (state.was_pressed && state.pressed() &&
@@ -239,6 +246,8 @@ void Interaction::keep_iterate() {
 }
 
 bool Interaction::settled() const {
+  if (dual_)
+    return dual_->settled();
   return std::none_of(points_.begin(), points_.end(),
                       [](const PointState& p) { return p.pressed() && p.beyond; });
 }

@@ -155,10 +155,14 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"per_point", Multipliers::per_point,
              "one at each integration point: the theory; its pressures oscillate"},
             {"smoothed", Multipliers::smoothed,
-             "at the corner nodes of the primary, read by its points"}},
+             "at the corner nodes of the primary, read by its points"},
+            {"dual", Multipliers::dual,
+             "at the corner nodes of the primary, which hold the law of weighted gaps"}},
            "where the multipliers of augmented_lagrangian live");
-  v.optional("penalty_factor", o.penalty_factor, "f in eps = f E_n A / V, when penalty is 0",
-             positive("1"));
+  v.optional("penalty_factor", o.penalty_factor,
+             "f in eps = f E_n A / V, when penalty is 0; 0: 10; augmented_lagrangian with dual "
+             "multipliers 30, with smoothed ones 3 or what gap_tolerance asks for between 1 and 10",
+             at_least(0.0, "1"));
   v.optional("penalty", o.penalty, "eps itself; 0: automatic", at_least(0.0, "pressure/length"));
   v.optional("penalty_curve", o.penalty_curve, "factor on the penalty over the load parameter");
   v.optional("update_penalty", o.update_penalty,
@@ -246,6 +250,7 @@ template <class V> void describe(V& v, solver::NewtonOptions& o) {
            {{"automatic", LineSearch::automatic, "shorten a step that makes things worse"},
             {"none", LineSearch::none, "full Newton steps"}},
            "of the Newton step");
+  v.optional("inexact", o.inexact, "solves that an augmentation will follow stop early");
 }
 
 template <class V> void describe(V& v, solver::LinearOptions& o) {

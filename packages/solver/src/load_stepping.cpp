@@ -127,7 +127,8 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
   } catch (const SolveError& e) {
     tried.reason = e.what();
   }
-  tried.augmentations = std::max(0, solves - 1);
+  tried.augmentations =
+      tried.result.solves.empty() ? std::max(0, solves - 1) : tried.result.augmentations;
   return tried;
 }
 

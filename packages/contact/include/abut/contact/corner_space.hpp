@@ -28,6 +28,9 @@ public:
   double interpolate(Local face, const double* N, const std::vector<double>& data,
                      int component = 0, int components = 1) const;
 
+  /// Lowest rank that has the surface node, and whether there are others.
+  int owner(Local node) const { return owner_[node]; }
+  bool is_shared(Local node) const { return is_shared_[node] != 0; }
   /// Adds up what each rank has for a node that several ranks share: data (surface nodes,
   /// components). Every rank gets the same digits. Collective.
   void sum(std::vector<double>& data, int components = 1) const;
@@ -42,6 +45,8 @@ private:
   const mesh::Surface& surface_;
   std::vector<Neighbour> neighbours_; ///< ascending by rank, this one among them when it shares
   std::vector<Local> shared_;         ///< nodes that other ranks have too
+  std::vector<char> is_shared_;       ///< (surface nodes)
+  std::vector<int> owner_;            ///< (surface nodes)
 };
 
 } // namespace abut::contact

@@ -13,8 +13,14 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 
 namespace abut::contact {
+
+class DualLaw;
+class NodeCells;
+struct DualPoint;
+struct NodeRow;
 
 /// What one contact interface carries, over all ranks.
 struct ContactSummary {
@@ -67,7 +73,8 @@ struct NodalSums {
   std::vector<double> traction; ///< (nodes, 3)
 };
 
-/// One point as an output file wants it.
+/// One point as an output file wants it. With Multipliers::dual the tractions are those of the
+/// nodes, interpolated: what acts at the point belongs to averages and oscillates.
 struct PointRecord {
   Global face; ///< id of the primary face
   int point;   ///< on the face
@@ -90,6 +97,7 @@ public:
   /// empty. Collective.
   Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
               ContactOptions options, PhaseTimers& timers, double share = 1.0);
+  ~Interaction() override;
   Interaction(const Interaction&) = delete;
   Interaction& operator=(const Interaction&) = delete;
 
@@ -102,6 +110,10 @@ public:
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
   /// for deep points. For checks.
   void set_exact_tangent(bool exact) { exact_tangent_ = exact; }
+  /// Which displacements of the primary's nodes are prescribed, (surface nodes), bits 1, 2, 4 for x,
+  /// y, z: a node of the dual law that cannot move along the normal has no multiplier of its own.
+  /// Collective.
+  void set_prescribed(const std::vector<char>& directions);
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t) { end_ = t; }
 
@@ -132,6 +144,8 @@ public:
   const mesh::Surface& primary() const { return primary_; }
   const ContactOptions& options() const { return options_; }
   const std::vector<PointState>& points() const { return points_; } ///< (I,P)
+  /// f of the automatic penalty; 0 when `penalty` is given.
+  double penalty_factor() const { return options_.penalty > 0.0 ? 0.0 : factor_; }
   double softest_modulus() const { return softest_modulus_; }
 
   /// Whether opposed normals were found for the points that have a partner within one face size
@@ -182,11 +196,36 @@ private:
   /// The point as the kernels take it; y_previous must live as long as the result.
   ContactPoint contact_point(Local face, int point, const Vec3* y_previous) const;
   double effective_gap(const PointState& state) const { return state.gap - state.offset; }
+  double present_offset(const PointState& state) const;
+
+  // Multipliers::dual
+  using AddRow = std::function<void(Local node, Global column, const NodeRow& row)>;
+  void make_dual();
+  DualPoint read_point(Local face, int point);
+  void evaluate_nodes();
+  void take_traction(Local face, int point);
+  Vec3 given_shear(Local face, int point) const;
+  ContactPoint given_point(Local face, int point, const Vec3* y_previous) const;
+  void node_rows(const std::function<bool(Local)>& wanted, const AddRow& add) const;
+  void add_node_cells(Connectivity& cells);
+  void add_node_candidates(Connectivity& cells, const std::vector<Local>& cell_face) const;
+  void scatter_node_cells(const TangentScatter& scatter);
+  Augmentation node_augmentation() const;
+  void store_node_shear();
+  void augment_nodes();
+  void accept_nodes();
+  void reject_nodes();
+  double node_pressure(Local face, int face_node) const;
+  Vec3 node_shear(Local face, int face_node) const;
+  double field_pressure(Local face, int point) const;
+  Vec3 field_shear(Local face, int point) const;
+  double node_spring(Local face, int point) const;
 
   struct Multiplier {
     double pressure = 0.0;
     Vec3 shear = Vec3::zero();
   };
+  void choose_factor();
   void propose();
   void propose_averages();
   Multiplier base(const PointState& state, const PrimaryPoint<double>& at) const;
@@ -223,6 +262,8 @@ private:
   double end_ = 1.0, time_ = 0.0, penalty_scale_ = 1.0, friction_ = 0.0;
   FacingSurface facing_;
   CornerSpace corners_;
+  double factor_;              ///< f of the automatic penalty
+  bool factor_chosen_ = false; ///< by the pressure of the first step in contact
   double softest_modulus_ = 0.0;
   double slack_ = 0.0;         ///< motion after which faces are collected anew [length]
   std::vector<double> size_;   ///< (primary faces) [length]
@@ -247,6 +288,8 @@ private:
   double collected_motion_ = 0.0; ///< of the last collection
   std::vector<Vec3> x_primary_collected_;
   std::vector<double> x_secondary_collected_;
+  std::unique_ptr<DualLaw> dual_;         ///< with Multipliers::dual
+  std::unique_ptr<NodeCells> node_cells_; ///< then too
   std::vector<Pair> pair_list_;
   Connectivity pairs_;
   mutable Connectivity candidates_;

@@ -43,6 +43,7 @@ enum class Multipliers {
   automatic, ///< smoothed
   per_point, ///< one at each integration point: the theory; its pressures oscillate
   smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
+  dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
 /// One contact interface. Lengths that a user would have to tune are fractions of face sizes.
@@ -55,7 +56,7 @@ struct ContactOptions {
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
 
-  double penalty_factor = 10.0; ///< f in eps = f E_n A / V, when penalty is 0 [1]
+  double penalty_factor = 0.0;  ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
   double penalty = 0.0;         ///< eps itself, 0 means automatic [pressure/length]
   std::string penalty_curve;    ///< factor on the penalty over t
   bool update_penalty = false;  ///< A of the automatic penalty is the area of the last step
@@ -90,6 +91,8 @@ struct ContactOptions {
     return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
   }
   FrictionMap map() const {
+    if (multipliers == Multipliers::dual)
+      return FrictionMap::incremental;
     if (friction_map != FrictionMap::automatic)
       return friction_map;
     return uses_ray() ? FrictionMap::inclined_ray : FrictionMap::incremental;

@@ -23,8 +23,10 @@ struct AugmentedResult {
   std::string reason;   ///< one sentence when not converged or stalled
 };
 
-/// Uzawa's loop: solve with the multipliers held, let the callback update them, and again. It knows
-/// nothing of contact; without a callback it is one Newton solve.
+/// Uzawa's loop: solve with the multipliers held, let the callback update them, and again. A solve
+/// that multipliers will still change after is only taken as far as they are known; the last one
+/// has Newton's own tolerance. It knows nothing of contact; without a callback it is one Newton
+/// solve.
 class AugmentedLagrangian {
 public:
   /// `newton` must outlive the loop.

@@ -45,10 +45,13 @@ public:
   /// Solves system.residual(x) = 0 from x on, which is overwritten by the last iterate. The last
   /// residual of the system has then been evaluated at x. Not to converge within the iterations is
   /// a result; a SolveError of the system (where a shorter step does not cure it) or of the linear
-  /// solver is passed on, x is then not usable. Collective.
-  NewtonResult solve(NonlinearSystem& system, Vector& x, const IterationCallback& observer = {});
+  /// solver is passed on, x is then not usable. `tolerance` instead of the options' own where it is
+  /// larger. Collective.
+  NewtonResult solve(NonlinearSystem& system, Vector& x, const IterationCallback& observer = {},
+                     double tolerance = 0.0);
 
   LinearSolver& linear() { return linear_; }
+  const NewtonOptions& options() const { return options_; }
   double linear_tolerance() const { return linear_tolerance_; }
 
 private:

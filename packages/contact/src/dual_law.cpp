@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dual_law.hpp"
+
+#include "abut/contact/dual_weights.hpp"
+#include "constants.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::contact {
+
+namespace {
+
+constexpr double sliver = 0.2; ///< a node with less of its function covered hands it on
+
+constexpr double held_share = 0.99; ///< of the square of the normal, in prescribed directions
+
+/// Components of the nodal sums.
+enum Mean {
+  area,
+  gap,
+  penalty,
+  normal,
+  slip = normal + 3,
+  carried = slip + 3,
+  means = carried + 3
+};
+
+Vec3 vector_at(const double* sums) {
+  return {{sums[0], sums[1], sums[2]}};
+}
+
+} // namespace
+
+DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpace& corners,
+                 std::vector<Local> first_point, const std::vector<std::array<double, 2>>& xi,
+                 std::vector<double> area, const std::vector<double>& size,
+                 const std::vector<double>& soft, bool friction)
+    : comm_(comm), surface_(surface), space_(corners), first_point_(std::move(first_point)),
+      area_(std::move(area)), nodes_(surface.node.size()), friction_(friction) {
+  corner_.assign(area_.size() * max_corners, 0.0);
+  dual_ = corner_;
+  std::vector<double> sums(3 * nodes_.size(), 0.0);
+  for (Local f = 0; f < surface.num_faces(); ++f) {
+    const int n = space_.corners(f);
+    const Local first = first_point_[f], points = first_point_[f + 1] - first;
+    std::vector<double> N(std::size_t(points * n));
+    for (Local q = 0; q < points; ++q)
+      space_.values(f, xi[std::size_t(first + q)].data(), &N[std::size_t(q * n)]);
+    double C[max_corners * max_corners];
+    dual_coefficients(n, points, N.data(), &area_[first], C);
+    for (Local q = 0; q < points; ++q)
+      for (int a = 0; a < n; ++a) {
+        const std::size_t i = std::size_t(first + q) * max_corners + std::size_t(a);
+        corner_[i] = N[std::size_t(q * n + a)];
+        for (int b = 0; b < n; ++b)
+          dual_[i] += C[a * n + b] * N[std::size_t(q * n + b)];
+        double* sum = &sums[3 * std::size_t(corner_nodes(f)[a])];
+        sum[0] += area_[first + q] * corner_[i];
+        sum[1] += area_[first + q] * corner_[i] * size[f];
+        sum[2] += area_[first + q] * corner_[i] * soft[f];
+      }
+  }
+  space_.sum(sums, 3);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const double* sum = &sums[3 * i];
+    nodes_[i].full = sum[0];
+    nodes_[i].size = sum[0] > 0.0 ? sum[1] / sum[0] : 0.0;
+    nodes_[i].soft = sum[0] > 0.0 ? sum[2] / sum[0] : 0.0;
+  }
+  psi_ = field_ = corner_;
+  take_.assign(size.size() * max_corners * max_corners, 0.0);
+  if (friction_)
+    carried_.resize(area_.size() * max_corners);
+  carried_converged_ = carried_;
+}
+
+void DualLaw::set_prescribed(const std::vector<char>& directions) {
+  constexpr std::size_t width = 6; // reference normal, prescribed components
+  std::vector<double> sums(nodes_.size() * width, 0.0);
+  for (Local f = 0; f < surface_.num_faces(); ++f) {
+    const Local* node = corner_nodes(f);
+    const auto edge = [&](int a, int b) {
+      return vector_at(&surface_.x[3 * std::size_t(node[b])]) -
+             vector_at(&surface_.x[3 * std::size_t(node[a])]);
+    };
+    const Vec3 normal =
+        corners(f) == 4 ? cross(edge(0, 2), edge(1, 3)) : cross(edge(0, 1), edge(0, 2));
+    for (int a = 0; a < corners(f); ++a)
+      for (int i = 0; i < 3; ++i)
+        sums[std::size_t(node[a]) * width + std::size_t(i)] += normal[i];
+  }
+  for (std::size_t n = 0; n < nodes_.size(); ++n)
+    for (std::size_t i = 0; i < 3; ++i)
+      sums[n * width + 3 + i] = (directions[n] >> i) & 1;
+  space_.sum(sums, width);
+  prescribed_.assign(nodes_.size(), 0);
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const double* s = &sums[n * width];
+    double held = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      all += s[i] * s[i];
+      held += s[3 + i] > 0.0 ? s[i] * s[i] : 0.0;
+    }
+    prescribed_[n] = held > held_share * all;
+  }
+}
+
+/// take[a][b]: share of the function of corner a that corner b has; the identity unless nodes are
+/// merged. The others of the face share alike, so that no numbering decides.
+void DualLaw::merge(Local face, double (&take)[max_corners][max_corners]) const {
+  const int n = corners(face);
+  const Local* node = corner_nodes(face);
+  int keep = 0;
+  for (int a = 0; a < n; ++a)
+    keep += !nodes_[node[a]].merged;
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b)
+      take[a][b] = keep == 0 || !nodes_[node[a]].merged ? double(a == b)
+                   : nodes_[node[b]].merged             ? 0.0
+                                                        : 1.0 / keep;
+}
+
+/// The functions of this configuration, from which points have a partner.
+void DualLaw::cover(const std::vector<DualPoint>& points) {
+  std::vector<double> covered(nodes_.size(), 0.0);
+  for (Local f = 0; f < surface_.num_faces(); ++f)
+    for (Local q = first_point_[f]; q < first_point_[f + 1]; ++q)
+      for (int a = 0; points[q].covered && a < corners(f); ++a)
+        covered[corner_nodes(f)[a]] += area_[q] * corner_[std::size_t(q) * max_corners + a];
+  space_.sum(covered);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    nodes_[i].merged =
+        covered[i] < sliver * nodes_[i].full || (!prescribed_.empty() && prescribed_[i] != 0);
+  for (Local f = 0; f < surface_.num_faces(); ++f) {
+    double take[max_corners][max_corners] = {};
+    merge(f, take);
+    std::copy_n(&take[0][0], max_corners * max_corners,
+                &take_[std::size_t(f) * max_corners * max_corners]);
+    const Local first = first_point_[f], end = first_point_[f + 1];
+    const bool whole = std::all_of(points.begin() + first, points.begin() + end,
+                                   [](const DualPoint& p) { return p.covered; });
+    const std::vector<double>& base = whole ? dual_ : corner_;
+    for (Local q = first; q < end; ++q)
+      for (int b = 0; b < corners(f); ++b) {
+        const std::size_t i = std::size_t(q) * max_corners;
+        psi_[i + b] = field_[i + b] = 0.0;
+        for (int a = 0; a < corners(f); ++a) {
+          psi_[i + b] += take[a][b] * base[i + a];
+          field_[i + b] += take[a][b] * corner_[i + a];
+        }
+      }
+  }
+}
+
+void DualLaw::gather(const std::vector<DualPoint>& points) {
+  cover(points);
+  const int width = friction_ ? means : int(normal) + 3;
+  std::vector<double> sums(nodes_.size() * std::size_t(width), 0.0);
+  for (Local f = 0; f < surface_.num_faces(); ++f)
+    for (Local q = first_point_[f]; q < first_point_[f + 1]; ++q) {
+      const DualPoint& p = points[q];
+      for (int a = 0; p.covered && a < corners(f); ++a) {
+        double* sum = &sums[std::size_t(corner_nodes(f)[a] * width)];
+        const double weight = area_[q] * psi(q)[a];
+        sum[Mean::area] += weight;
+        sum[Mean::gap] += weight * p.gap;
+        // Positive weights: the penalty of a face that meets several must not turn negative.
+        sum[Mean::penalty] += area_[q] * field(q)[a] * p.penalty;
+        for (int i = 0; i < 3; ++i)
+          sum[Mean::normal + i] += weight * p.normal[i];
+        for (int i = 0; friction_ && i < 3; ++i) {
+          sum[Mean::slip + i] += weight * p.slip[i];
+          sum[Mean::carried + i] += weight * p.carried[std::size_t(a)][i];
+        }
+      }
+    }
+  space_.sum(sums, width);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    DualNode& node = nodes_[i];
+    const double* sum = &sums[i * std::size_t(width)];
+    node.area = sum[Mean::area];
+    if (!(node.area > 0.0)) {
+      node.area = node.gap = node.penalty = 0.0;
+      continue;
+    }
+    node.gap = sum[Mean::gap] / node.area;
+    node.penalty = sum[Mean::penalty] / node.area;
+    const Vec3 m = vector_at(sum + Mean::normal);
+    node.normal_sum = norm(m);
+    node.normal = node.normal_sum > 0.0 ? (1.0 / node.normal_sum) * m : Vec3::zero();
+    if (friction_) {
+      node.slip = (1.0 / node.area) * vector_at(sum + Mean::slip);
+      node.carried = (1.0 / node.area) * vector_at(sum + Mean::carried);
+    }
+  }
+}
+
+void DualLaw::start() {
+  is_new_ = false;
+  for (DualNode& n : nodes_) {
+    n.history.gap = n.gap;
+    n.history.in_contact = n.area > 0.0 && n.gap <= touching_gap * n.size;
+    n.converged = n.history;
+  }
+}
+
+void DualLaw::decide(double friction, bool frozen) {
+  for (DualNode& n : nodes_)
+    decide(n, friction, frozen);
+}
+
+void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
+  const PointRule before = n.rule;
+  n.rule = PointRule::open;
+  n.touching = n.beyond = false;
+  n.pressure = 0.0;
+  n.traction = Vec3::zero();
+  if (n.area == 0.0 || (frozen && before == PointRule::open))
+    return;
+  const double pressure = n.history.multiplier - n.penalty * n.gap;
+  if (pressure <= -n.penalty * touching_gap * n.size)
+    return;
+  n.touching = pressure <= 0.0;
+  n.pressure = std::max(pressure, 0.0);
+  n.rule = PointRule::frictionless;
+  if (friction == 0.0)
+    return;
+  ContactPoint c;
+  c.first = !n.converged.in_contact;
+  c.previous_gap = n.converged.gap;
+  c.multiplier = n.history.multiplier;
+  c.penalty = n.penalty;
+  n.share = contact_share(c, n.gap);
+  n.share_slope = contact_share_slope(c, n.gap);
+  const Vec3 z = n.carried - (n.penalty * n.share) * n.slip;
+  n.out_of_plane = dot(n.normal, z);
+  n.trial = z - n.out_of_plane * n.normal;
+  n.rule = PointRule::incremental_stick;
+  if (n.touching)
+    return;
+  const double size = norm(n.trial), limit = friction * n.pressure;
+  const bool held =
+      frozen && (before == PointRule::incremental_stick || before == PointRule::incremental_slip);
+  if (held ? before == PointRule::incremental_slip : !sticks(n, limit))
+    n.rule = PointRule::incremental_slip;
+  n.beyond = n.rule == PointRule::incremental_stick && size > limit;
+  n.traction =
+      n.rule == PointRule::incremental_slip && size > 0.0 ? (limit / size) * n.trial : n.trial;
+}
+
+/// The primal-dual criterion of Interaction::within_cone, at a node.
+bool DualLaw::sticks(const DualNode& n, double limit) const {
+  if (n.soft == 0.0 || !n.was_pressed || n.swaps < patience)
+    return norm(n.trial) <= limit;
+  const double share = std::min(1.0, n.soft / n.penalty);
+  return norm((1.0 - share) * n.last_shear + share * n.trial) <= limit;
+}
+
+void DualLaw::keep_iterate(double friction) {
+  for (DualNode& n : nodes_) {
+    if (n.was_pressed && n.pressed() &&
+        (n.rule != n.last_rule || dot(n.traction, n.last_shear) < 0.0))
+      ++n.swaps;
+    n.last_rule = n.rule;
+    n.was_pressed = n.pressed();
+    const double size = norm(n.traction), limit = friction * n.pressure;
+    if (n.was_pressed)
+      n.last_shear = size > limit ? (limit / size) * n.traction : n.traction;
+  }
+}
+
+bool DualLaw::settled() const {
+  return std::none_of(nodes_.begin(), nodes_.end(),
+                      [](const DualNode& n) { return n.pressed() && n.beyond; });
+}
+
+} // namespace abut::contact
