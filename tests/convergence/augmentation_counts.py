@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Linear solves that multipliers cost over penalty alone, down to a gap of 1e-4 face sizes.
-usage: augmentation_counts.py [--abut PROGRAM] [--scenes paraboloid block hard_block] [--spaces ...] [--factors 1 10 100]
+usage: augmentation_counts.py [--abut PROGRAM] [--scenes paraboloid block hard_block covered_block] [--spaces ...] [--factors 1 10 100]
                               [--formulations facet_on_facet] [--gap 1e-4] [--set key=value ...]
 
 paraboloid: a cold start, the whole approach in one step, 2 facets to the contact radius. block: a small cube on a
-larger one in five steps, the softer and coarser side is the primary; hard_block: the stiffer and finer one is.
+larger one in five steps, the softer and coarser side below is the primary, partly covered; hard_block: the stiffer and
+finer one is; covered_block: moduli exchanged, the softer and finer one above is.
 The gap is the largest weighted one at nodes whose faces are closed (means with the corner functions; with their dual
 basis for dual multipliers), over the face size.
 """
@@ -17,16 +18,16 @@ import pressure_study
 import scenes
 
 
-def block_on_block(lower=8, upper=7, hard_primary=False, **options):
+def block_on_block(lower=8, upper=7, upper_primary=False, moduli=(1, 4), **options):
     sides = ["upper_bottom", "lower_top"]
-    primary, secondary = sides if hard_primary else sides[::-1]
+    primary, secondary = sides if upper_primary else sides[::-1]
     rubber = {"model": "neo_hookean", "poisson": 0.3}
     return {
         "mesh": {"generate": {"kind": "blocks", "lower_divisions": [lower] * 3, "upper_size": [0.6] * 3,
                               "upper_divisions": [upper] * 3}},
-        "materials": {"soft": {**rubber, "young": 1}, "hard": {**rubber, "young": 4}},
-        "bodies": {"lower": {"blocks": ["lower"], "material": "soft"},
-                   "upper": {"blocks": ["upper"], "material": "hard"}},
+        "materials": {name: {**rubber, "young": e} for name, e in zip(("lower", "upper"), moduli)},
+        "bodies": {"lower": {"blocks": ["lower"], "material": "lower"},
+                   "upper": {"blocks": ["upper"], "material": "upper"}},
         "displacements": {"bottom": {"set": "lower_bottom", "fix": ["x", "y", "z"]},
                           "top sides": {"set": "upper_top", "fix": ["x", "y"]},
                           "top": {"set": "upper_top", "z": -0.1}},
@@ -39,7 +40,8 @@ SCENES = {
     "paraboloid": (lambda **o: pressure_study.deck(2, steps=1, **o), ["paraboloid", "plate"]),
     "paraboloid4": (lambda **o: pressure_study.deck(4, steps=1, **o), ["paraboloid", "plate"]),
     "block": (block_on_block, ["lower", "upper"]),
-    "hard_block": (lambda **o: block_on_block(hard_primary=True, **o), ["lower", "upper"]),
+    "hard_block": (lambda **o: block_on_block(upper_primary=True, **o), ["lower", "upper"]),
+    "covered_block": (lambda **o: block_on_block(upper_primary=True, moduli=(4, 1), **o), ["lower", "upper"]),
 }
 
 
@@ -68,7 +70,7 @@ class Count:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--abut", default=scenes.EXECUTABLE)
-    parser.add_argument("--scenes", nargs="+", default=["paraboloid", "block", "hard_block"], choices=list(SCENES))
+    parser.add_argument("--scenes", nargs="+", default=["paraboloid", "block", "hard_block", "covered_block"], choices=list(SCENES))
     parser.add_argument("--factors", type=float, nargs="+", default=[1, 10, 100])
     parser.add_argument("--formulations", nargs="+", default=["facet_on_facet"])
     parser.add_argument("--spaces", nargs="+")

@@ -140,14 +140,14 @@ class PartialSlip(unittest.TestCase):
     """Half a coarse face over a bounds the L2 errors, a quarter the one of c/a; the status is right but within a
     face from the edge of the stick zone."""
 
-    def check(self, level, face, coarse_face):
+    def check(self, level, face, coarse_face, over):
         self.assertLess(max(level.shear, level.pressure), coarse_face / 2)
         self.assertLess(abs(level.ratio - level.exact), coarse_face / 4)
         self.assertGreater(level.slips, level.exact - face)
         self.assertLess(level.sticks, level.exact + face)
         self.assertGreater(level.sticks, 0)
         self.assertLess(level.slips, 1)
-        self.assertLess(level.over, 1e-9)
+        self.assertLess(level.over, over)
 
     def study(self, case, fine_primary):
         runs = []
@@ -163,7 +163,9 @@ class PartialSlip(unittest.TestCase):
             for level, share in zip(levels, SHARES):
                 print(" ", level, flush=True)
                 self.assertLess(abs(level.share - share), 0.02)
-                self.check(level, level.face, level.face * (1.5 if fine_primary else 1))
+                # a node's shear lies in its own mean plane, a face turns by its length over the radius 1
+                over = MU * level.face * 0.002 if case[2] == "dual" else 1e-9
+                self.check(level, level.face, level.face * (1.5 if fine_primary else 1), over)
             runs.append(levels)
         if len(runs) > 1:
             for i, share in enumerate(SHARES):

@@ -41,7 +41,7 @@ class Count:
         # Newton's iterations and the predictor of each solved step; cut steps are in the total alone
         self.steps = [int(n) + 1 for n in re.findall(r"^step\s.*?\s(\d+) iterations", result.output, re.M)]
         self.augmentations = [int(n) for n in re.findall(r"^step\s.*?\s(\d+) augmentations", result.output, re.M)]
-        self.summary = result.summary
+        self.result = result
 
     @property
     def mean(self):

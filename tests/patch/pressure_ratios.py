@@ -15,6 +15,7 @@ import contact_patch_test
 import pressure_error
 import scenes
 
+LOAD = contact_patch_test.P0
 MULTIPLIERS = {"enforcement": "augmented_lagrangian", "max_augmentations": 200}
 CASES = {
     "f1": {"penalty_factor": 1},
@@ -42,14 +43,14 @@ class Deviation:
         result = scenes.run(deck, seconds=seconds, quiet=False)
         *_, last = pressure_error.read_points(next((result.folder / "results").glob("*.points.csv"))).values()
         facets = pressure_error.Facets(result.fields, ["lower", "upper"], "upper_bottom", last)
-        load = contact_patch_test.P0
-        self.points = self.of(facets.point_p / load - 1)
+        self.points = self.of(facets.point_p / LOAD - 1)
         self.nodal = self.of(numpy.unique(numpy.stack([facets.corners.ravel(), facets.nodal.ravel()]), axis=1)[1]
-                             / load - 1)
-        self.facets = self.of(facets.mean / load - 1)
+                             / LOAD - 1)
+        self.facets = self.of(facets.mean / LOAD - 1)
+        self.facet_data = facets
         self.active = result.contact()["active_points"]
         self.all_points = facets.point_p.size
-        self.summary, self.seconds = result.summary, result.seconds
+        self.summary, self.seconds, self.fields = result.summary, result.seconds, result.fields
 
     @staticmethod
     def of(deviation):
