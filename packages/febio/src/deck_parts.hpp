@@ -31,10 +31,6 @@ private:
   std::map<int, std::string> used_; ///< by id; 0: the constant
 };
 
-/// Points (t, value), t growing, of a load curve from 0 to end: linear between them and constant
-/// beyond. Jumps take 1e-9 of the time, parabolas sixteen pieces.
-std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double end);
-
 /// A rigid body of the deck: rigid materials whose domains or ties share nodes are one, as in FEBio.
 struct RigidBody {
   std::vector<std::string> materials;

@@ -115,7 +115,7 @@ std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double en
   const bool repeats =
       curve.extension == Extension::repeat || curve.extension == Extension::repeat_offset;
   for (int k = 1; repeats && out.back()[0] < end; ++k)
-    append_cycle(out, curve, curve.extension == Extension::repeat ? jump : 0.0, k * period,
+    append_cycle(out, curve, jump, k * period,
                  curve.extension == Extension::repeat ? 0.0 : k * (last[1] - first[1]));
   if (curve.extension == Extension::extrapolate)
     extrapolate(out, end);

@@ -117,7 +117,7 @@ void MeshTranslation::add_nodes(Report& report) {
   }
   const std::size_t left_out = mesh.node_id.size() - data_.node_id.size();
   if (left_out > 0)
-    report.add({0, "Mesh/Nodes", Fate::ignored,
+    report.add({mesh.line, "Mesh/Nodes", Fate::ignored,
                 std::to_string(left_out) + " nodes that belong to no element"});
 }
 

@@ -52,6 +52,7 @@ public:
   explicit MeshReader(Model& model) : model_(model), mesh_(model.mesh) {}
 
   void read(Element section) {
+    mesh_.line = section.line();
     for (Element part : section.children("Nodes"))
       nodes(part);
     for (Element part : section.children("Elements"))

@@ -13,8 +13,23 @@ void read_module(Element root) {
     module.refuse("module '" + type + "': abut has solid mechanics alone, type=\"solid\"");
 }
 
+/// Sections that change the answer and that abut has nothing for.
+void refuse_sections(Element parent) {
+  const std::pair<const char*, const char*> sections[] = {
+      {"Constraints", "abut has none; make a rigid wall a rigid body of one hex8 and a contact"},
+      {"Initial", "abut is static and starts without strain"},
+      {"Discrete", "abut has no springs"},
+      {"MeshData", "abut has no data that vary from element to element"},
+      {"MeshAdaptor", "abut keeps its mesh"}};
+  for (const auto& [name, why] : sections)
+    for (Element section : parent.children(name))
+      if (!section.children().empty())
+        section.refuse(why);
+}
+
 /// Sections that may also stand in a step.
 void read_physics(Element parent, Model& model) {
+  refuse_sections(parent);
   if (const auto section = parent.child("Control"))
     read_control(*section, model);
   if (const auto section = parent.child("Boundary"))

@@ -3,6 +3,8 @@
 #include "deck_parts.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <numeric>
 
 namespace abut::febio {
@@ -166,7 +168,15 @@ private:
       mass += part;
       moment += part * mesh_.bulk(d).centroid;
     }
-    return mass > 0.0 ? 1.0 / mass * moment : Vec3::zero();
+    if (!(mass > 0.0))
+      return Vec3::zero();
+    Vec3 center = 1.0 / mass * moment;
+    for (double& x : center.v) { // digits that are known, and a person would write
+      char text[32];
+      std::snprintf(text, sizeof text, "%.12g", x);
+      x = std::strtod(text, nullptr);
+    }
+    return center;
   }
 
   const Model& model_;

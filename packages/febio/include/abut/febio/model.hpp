@@ -76,6 +76,7 @@ struct ElementSet {
 };
 
 struct Mesh {
+  int line = 0;
   std::vector<Global> node_id;
   std::vector<double> x; ///< (nodes, 3)
   std::vector<Domain> domains;
@@ -146,6 +147,10 @@ struct LoadCurve {
   /// through neighbouring points.
   double operator()(double t) const;
 };
+
+/// Points (t, value), t growing, of a load curve from 0 to end: linear between them and constant
+/// beyond. Jumps take 1e-9 of the time, parabolas sixteen pieces.
+std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double end);
 
 struct Control {
   int line = 0;
