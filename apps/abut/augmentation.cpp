@@ -17,7 +17,7 @@ std::vector<contact::Interaction*> augmented_interfaces(Model& m) {
 }
 
 /// Judges one interface; adds to the report what it has to say.
-void judge(const contact::Interaction& c, int number, solver::AugmentReport& report) {
+void judge(contact::Interaction& c, int number, solver::AugmentReport& report) {
   const contact::Augmentation a = c.augmentation();
   report.change = std::max(report.change, a.change);
   report.gap = std::max(report.gap, a.gap);
@@ -44,7 +44,7 @@ make_augmentation(Model& m, std::function<void(int, const solver::AugmentReport&
     return {};
   return [&m, interfaces, observer](int number) {
     solver::AugmentReport report;
-    for (const contact::Interaction* c : interfaces)
+    for (contact::Interaction* c : interfaces)
       judge(*c, number, report);
     report.stalled = report.stalled && report.converged; // others may still have work to do
     if (report.stalled) {

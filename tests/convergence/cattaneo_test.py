@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Two equal elastic cylinders pressed together, then sheared by less than friction holds: partial slip.
-usage: cattaneo_test.py [--meshes 16] [unittest arguments]; faces of the coarse body along 0.004, a = 0.002
+usage: cattaneo_test.py [unittest arguments] [--meshes 16] [--spaces per_point smoothed]
+meshes: faces of the coarse body along 0.004, a = 0.002; spaces: of the multipliers, beside penalty
 
 Each case is pressed in one step and sheared in three to about 1/4, 1/2 and 3/4 of what friction holds.
 Cattaneo 1938, Mindlin 1949: q = mu p0 sqrt(1 - x^2/a^2), less mu p0 c/a sqrt(1 - x^2/c^2) inside |x| < c,
@@ -26,7 +27,8 @@ WAYS = (0.333, 0.672, 1.02)  # of the far face over mu times the approach, for t
 KNOWN = study.arguments([8])
 MAPS = (("facet_on_facet", "incremental"), ("sliding_elastic", "inclined_ray"),
         ("sliding_elastic", "incremental"))
-ENFORCEMENTS = {"penalty": {}, "augmented_lagrangian": {"multiplier_tolerance": 1e-2, "max_augmentations": 50}}
+AUGMENTED = {"enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-2, "max_augmentations": 50}
+ENFORCEMENTS = {"penalty": {}, **{space: {**AUGMENTED, "multipliers": space} for space in KNOWN.spaces or ["automatic"]}}
 
 
 def whole(path):
@@ -80,7 +82,7 @@ def deck(case, ways, hold=0, fine_primary=True, **changes):
                           "shear": {"set": "upper_top", "x": 1, "curve": "shear"}},
         "contact": {"pair": {"primary": f"{primary}_contact", "secondary": f"{secondary}_contact",
                              "friction": MU, "formulation": formulation, "friction_map": friction_map,
-                             "enforcement": enforcement, **ENFORCEMENTS[enforcement], **changes}},
+                             **ENFORCEMENTS[enforcement], **changes}},
         "time": {"steps": steps}, "newton": {"tolerance": 1e-9},
     }
 

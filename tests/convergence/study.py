@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the studies share: arguments, orders, and the run of a file.
 
-usage of a study: FILE [--meshes 4 8 16] [--formulation WORD] [unittest arguments]
+usage of a study: FILE [--meshes 4 8 16] [--formulation WORD] [--spaces WORDS, of multipliers] [unittest arguments]
 """
 import argparse
 import math
@@ -16,6 +16,7 @@ def arguments(meshes):
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("--meshes", type=int, nargs="+", default=meshes)
     parser.add_argument("--formulation")
+    parser.add_argument("--spaces", nargs="+", default=[])
     known, rest = parser.parse_known_args()
     known.thorough = len(known.meshes) > 2  # beyond the normal tests
     # one pass over nodes: the pressure on meshes that do not fit keeps a defect of the mesh ratio

@@ -223,6 +223,25 @@ def probe(quantity, place=None, point=None):
     return entry
 
 
+def words_of(key):
+    """Words that the program knows for a key of decks, but for `automatic`."""
+    status, text = execute([EXECUTABLE, "schema", "--markdown"], 60)
+    assert status == 0, text
+    row = re.search(rf"^\| `{key}` \| word \|.*$", text, re.M)
+    return [w for w in re.findall(r"<br>`(\w+)`", row.group()) if w != "automatic"] if row else []
+
+
+def settings(pairs):
+    """Options written KEY=VALUE; what reads as JSON is taken as such."""
+    options = {}
+    for key, value in (pair.split("=", 1) for pair in pairs):
+        try:
+            options[key] = json.loads(value)
+        except ValueError:
+            options[key] = value
+    return options
+
+
 def _launcher(ranks):
     return [MPIEXEC, *MPIEXEC_FLAGS, "-n", str(ranks)] if ranks > 1 else []
 

@@ -212,11 +212,15 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     stiff += force * force;
   }
   double positions = 0.0; // the same for rounding of positions, by its own unit
-  for (const Part& p : parts_)
+  double unsettled = 0.0;
+  for (const Part& p : parts_) {
     positions += p.contribution->round_off_force2();
+    unsettled += p.contribution->settled() ? 0.0 : 1.0;
+  }
   stiff += positions / (round_off * round_off);
-  double all[3] = {norms[0], norms[1], stiff};
-  comm.sum(all, 3);
+  double all[4] = {norms[0], norms[1], stiff, unsettled};
+  comm.sum(all, 4);
+  settled_ = all[3] == 0.0;
   reference_force_ = std::sqrt(std::max(all[0], all[1]));
   round_off_force_ = round_off * std::sqrt(all[2]);
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);

@@ -43,6 +43,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       options_(std::move(options)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
+      corners_(comm, primary_),
       size_(face_sizes(primary_)) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
@@ -205,6 +206,7 @@ void Interaction::prepare(const NodalFields& fields) {
     start();
   started_ = true;
   ++searches_;
+  next_.clear();
   evaluate_points();
   frozen_ = new_step_ = false;
   build_pairs();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What points remember: the start, augmentations, the end of a step.
+// What points remember: the start and the end of a step.
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "point_search.hpp"
@@ -8,24 +8,6 @@
 #include <cmath>
 
 namespace abut::contact {
-
-namespace {
-constexpr double plateau_ratio = 0.98; ///< an augmentation that leaves more of the gap than this...
-constexpr std::size_t plateau_count = 3; ///< ...so many times in a row changes nothing any more
-
-/// Whether a measure has stopped falling, with its values before earlier augmentations.
-bool plateau(const std::vector<double>& earlier, double now) {
-  if (earlier.size() < plateau_count)
-    return false;
-  for (std::size_t k = 0; k < plateau_count; ++k) {
-    const double before = earlier[earlier.size() - 1 - k];
-    if (now <= plateau_ratio * before)
-      return false;
-    now = before;
-  }
-  return true;
-}
-} // namespace
 
 /// First search, in the configuration that the run starts from.
 void Interaction::start() {
@@ -67,62 +49,6 @@ void Interaction::start_point(Local f, int p) {
   const Vec3 lambda = -penalty_of(f, best.face) * (on.x - at.x - options_.offset * at.normal);
   history.multiplier = -dot(at.normal, lambda);
   history.carried = store_traction(at, lambda + history.multiplier * at.normal);
-}
-
-Augmentation Interaction::augmentation() const {
-  double sums[2] = {0.0, 0.0}, gap = 0.0, length = 0.0;
-  for (Local f = 0; f < primary_.num_faces(); ++f)
-    for (int p = 0; p < face_points(f); ++p) {
-      const Local i = point_index(f, p);
-      const PointState& state = points_[i];
-      const auto at = primary_point(shape(f, p), primary_nodes(f));
-      const Vec3 shear = state.traction - state.pressure * state.normal;
-      const Vec3 change = shear - turned_traction(state.history.carried, at);
-      const double normal_change = state.pressure - state.history.multiplier;
-      sums[0] += area_[i] * (normal_change * normal_change + dot(change, change));
-      sums[1] += area_[i] * dot(state.traction, state.traction);
-      if (state.facing < 0)
-        continue;
-      double violation = -effective_gap(state);
-      if (state.status() == Status::stick && state.penalty > 0.0)
-        violation = std::max(violation, norm(change) / state.penalty);
-      gap = std::max(gap, violation / size_[f]);
-      length = std::max(length, violation);
-    }
-  comm_.sum(sums, 2);
-  Augmentation result;
-  result.gap = comm_.max(gap);
-  result.length = comm_.max(length);
-  result.change = sums[1] > 0.0 ? std::sqrt(sums[0] / sums[1]) : sums[0] > 0.0 ? 1.0 : 0.0;
-  const bool settled = result.change <= options_.multiplier_tolerance;
-  const bool closed = (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
-                      (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
-  result.converged = settled && closed;
-  // A tolerance that is not met while what it bounds still falls is worth another solve.
-  result.stalled = !result.converged && (settled || plateau(last_changes_, result.change)) &&
-                   (closed || plateau(last_gaps_, result.gap));
-  return result;
-}
-
-void Interaction::augment() {
-  const Augmentation before = augmentation();
-  last_gaps_.push_back(before.gap);
-  last_changes_.push_back(before.change);
-  for (Local f = 0; f < primary_.num_faces(); ++f)
-    for (int p = 0; p < face_points(f); ++p) {
-      PointState& state = points_[point_index(f, p)];
-      const auto at = primary_point(shape(f, p), primary_nodes(f));
-      double pressure = state.pressure; // <lambda - eps gap>
-      Vec3 shear = state.traction - pressure * state.normal;
-      if (update_)
-        update_(state, pressure, shear);
-      state.history.multiplier = pressure;
-      state.history.carried = state.pressed() ? store_traction(at, shear) : StoredTraction();
-      state.returns = 0; // another solve may swing for its own reasons
-      state.left = -1;
-    }
-  frozen_ = true;
-  searches_ = 0;
 }
 
 /// Part of the step's slip that no spring stores, tangent to the contact [length].
@@ -190,8 +116,11 @@ void Interaction::accept() {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
       advance_history(f, p);
+      state.history.shear = state.pressed()
+                                ? state.traction - state.pressure * state.normal
+                                : Vec3::zero();
       state.converged = state.history;
-      state.returns = 0;
+      state.returns = state.swaps = 0;
       state.left = -1;
     }
     if (options_.update_penalty) {
@@ -215,7 +144,9 @@ void Interaction::accept() {
 void Interaction::reject() {
   for (PointState& p : points_) {
     p.history = p.converged;
-    p.returns = 0;
+    p.last_shear = p.converged.shear;
+    p.was_pressed = p.converged.in_contact;
+    p.returns = p.swaps = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }
   last_gaps_.clear();

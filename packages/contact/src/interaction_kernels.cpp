@@ -28,10 +28,12 @@ SecondaryNodes secondary_nodes(const FacingSurface& surface, Local facing, Local
   return s;
 }
 
-/// Far from equilibrium a deep point presses so hard that the terms of the tangent that turn its
-/// force would outweigh all others: they are taken for a pressure that is not deeper than this.
+/// Far from equilibrium the spring of a deep point presses so hard that the terms of the tangent
+/// that turn its force would outweigh all others: they are taken for one that is not deeper than
+/// this.
 void moderate(ContactPoint& c, const PointState& state, double size) {
-  const double excess = state.pressure - moderate_depth * size * c.penalty;
+  const double excess =
+      state.pressure - state.multiplier - moderate_depth * size * c.penalty;
   if (excess > 0.0 && c.ray)
     c.multiplier -= excess;
 }
@@ -83,6 +85,7 @@ void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
 }
 
 void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
+  keep_iterate();
   using Execution = Kokkos::DefaultHostExecutionSpace;
   int singular = 0;
   Kokkos::parallel_reduce(

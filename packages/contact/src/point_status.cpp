@@ -87,12 +87,14 @@ bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<do
   facing_.coordinates(state.anchor, z);
   const Vec3 trial = anchored_trial(c, at, z);
   const double pressure = -dot(at.normal, trial);
-  const double shear = norm(tangential(trial, at.normal));
+  const Vec3 w = tangential(trial, at.normal);
+  const double shear = norm(w);
   const bool was = state.rule == PointRule::anchored;
   const bool sticks = options_.tied || (frozen_ && state.rule != PointRule::open
                                             ? was
-                                            : pressure > 0.0 && shear <= friction_ * pressure);
+                                            : within_cone(face, state.anchor, state, w, pressure));
   if (sticks && (options_.tied || pressure > 0.0 || options_.tension)) {
+    state.beyond = !options_.tied && shear > friction_ * pressure;
     state.facing = state.anchor;
     state.xi[0] = state.history.anchor_xi[0];
     state.xi[1] = state.history.anchor_xi[1];
@@ -160,7 +162,7 @@ void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<dou
     rule = PointRule::incremental_stick;
   else if (friction_ > 0.0 && pressure > 0.0 &&
            (!normal_law_ || state.penalty == penalty_of(face, best.face)))
-    rule = sliding_rule(state, c, at, y);
+    rule = sliding_rule(face, state, c, at, y);
   set_traction(face, point, rule);
   if (touching) {
     state.touching = true;
@@ -184,19 +186,61 @@ bool Interaction::normal_response(Local face, PointState& state) const {
 }
 
 /// Radial return on the cone of the present pressure; the literal map only slips here.
-PointRule Interaction::sliding_rule(const PointState& state, const ContactPoint& c,
+PointRule Interaction::sliding_rule(Local face, PointState& state, const ContactPoint& c,
                                     const PrimaryPoint<double>& at, const Vec3* y) const {
   if (options_.map() == FrictionMap::literal)
     return PointRule::literal_slip;
-  if (frozen_ && state.rule == PointRule::incremental_stick)
-    return PointRule::incremental_stick;
   if (frozen_ && state.rule == PointRule::incremental_slip)
     return PointRule::incremental_slip;
   const auto partner = contact_partner(c, at, y);
   const double pressure = c.multiplier - c.penalty * (partner.gap - c.offset);
-  return norm(incremental_trial(c, at, partner)) <= c.friction * pressure
-             ? PointRule::incremental_stick
-             : PointRule::incremental_slip;
+  const Vec3 trial = incremental_trial(c, at, partner);
+  const bool sticks = (frozen_ && state.rule == PointRule::incremental_stick) ||
+                      within_cone(face, state.facing, state, trial, pressure);
+  state.beyond = sticks && norm(trial) > c.friction * pressure;
+  return sticks ? PointRule::incremental_stick : PointRule::incremental_slip;
+}
+
+/// Whether a point sticks with the trial shear. A stiff spring overshoots the cone on either side
+/// with every small motion, so that Newton can throw the point from slip to slip for ever. The
+/// primal-dual criterion starts from the last iterate's traction and adds the trial's change as a
+/// soft spring would: a point whose slip turns back sticks first. Both agree where Newton ends, for
+/// there the last traction is the return map's (Alart & Curnier 1991; Hueber, Stadler & Wohlmuth
+/// 2008). The return map needs fewer iterations as long as the point makes up its mind.
+bool Interaction::within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
+                              double pressure) const {
+  const double limit = friction_ * pressure;
+  if (options_.friction_switching == FrictionSwitching::return_map || !state.was_pressed ||
+      state.swaps < patience)
+    return pressure > 0.0 && norm(trial) <= limit;
+  const double inverse_depth = primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face]
+                                                             : facing_.inverse_depth(facing);
+  const double share =
+      std::min(1.0, soft_switching * softest_modulus_ * inverse_depth / state.penalty);
+  return pressure > 0.0 && norm((1.0 - share) * state.last_shear + share * trial) <= limit;
+}
+
+/// The traction that switching starts from in the next configuration.
+void Interaction::keep_iterate() {
+  for (PointState& state : points_) {
+    const Vec3 now = state.traction - state.pressure * state.normal;
+    if (state.was_pressed && state.pressed() &&
+        (state.status() != state.last_status || dot(now, state.last_shear) < 0.0))
+      ++state.swaps;
+    state.last_status = state.status();
+    state.was_pressed = state.pressed();
+    if (!state.pressed())
+      continue;
+    state.last_shear = now;
+    const double size = norm(state.last_shear), limit = friction_ * std::max(0.0, state.pressure);
+    if (size > limit)
+      state.last_shear = (limit / size) * state.last_shear;
+  }
+}
+
+bool Interaction::settled() const {
+  return std::none_of(points_.begin(), points_.end(),
+                      [](const PointState& p) { return p.pressed() && p.beyond; });
 }
 
 /// Traction, pressure and gap of the point under the rule.
@@ -204,6 +248,8 @@ void Interaction::set_traction(Local face, int point, PointRule rule) {
   PointState& state = points_[point_index(face, point)];
   state.rule = rule;
   state.touching = false;
+  if (state.status() != Status::stick)
+    state.beyond = false;
   if (rule == PointRule::open) {
     state.pressure = 0.0;
     state.traction = Vec3::zero();

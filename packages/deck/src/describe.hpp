@@ -186,6 +186,14 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"augmented_lagrangian", Enforcement::augmented_lagrangian,
              "penalty plus multipliers, updated outside Newton"}},
            "how penetration is resisted");
+  using contact::Multipliers;
+  v.choice("multipliers", o.multipliers,
+           {{"automatic", Multipliers::automatic, "smoothed"},
+            {"per_point", Multipliers::per_point,
+             "one at each integration point: the theory; its pressures oscillate"},
+            {"smoothed", Multipliers::smoothed,
+             "at the corner nodes of the primary, read by its points"}},
+           "where the multipliers of augmented_lagrangian live");
   v.optional("penalty_factor", o.penalty_factor, "f in eps = f E_n A / V, when penalty is 0",
              positive("1"));
   v.optional("penalty", o.penalty, "eps itself; 0: automatic", at_least(0.0, "pressure/length"));
@@ -204,6 +212,12 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
              "radial return of the last traction plus the step's slip"},
             {"literal", FrictionMap::literal, "the printed theory, for comparison"}},
            "how the tangential traction follows from the motion");
+  using contact::FrictionSwitching;
+  v.choice("friction_switching", o.friction_switching,
+           {{"primal_dual", FrictionSwitching::primal_dual,
+             "by the last iterate's traction and a soft spring: does not cycle"},
+            {"return_map", FrictionSwitching::return_map, "as stiff as the penalty"}},
+           "how Newton decides between stick and slip; where it ends is the same");
   v.optional("two_pass", o.two_pass,
              "both sides carry points, each half of the traction; the other side's numbers are "
              "those of NAME_second_pass");

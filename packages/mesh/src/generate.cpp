@@ -247,6 +247,18 @@ void bind(Binder& b, CylinderPairOptions& o) {
   b("thickness", o.thickness, "along y")("thickness_divisions", o.thickness_divisions, "along y");
 }
 
+void bind(Binder& b, ParaboloidOptions& o) {
+  b("radius", o.radius, "R of the face z = r^2/(2 R)")("size", o.size, "edge length");
+  b("core", o.core, "extent of the uniform fine region");
+  b("facets", o.facets, "faces along the core");
+  b("growth", o.growth, "largest ratio of neighbouring cells outside the core");
+  b("depth", o.depth, "uniform layers below the surfaces; negative: core / 2");
+  b("max_size", o.max_size, "largest cell; 0: size / 5");
+  b("gap", o.gap, "height of the lowest point above z = 0");
+  b("plate_facets", o.plate_facets, "faces of the plate along the core; 0: one cell, to be rigid");
+  b("element", o.element, "hex8, hex20, hex27, tet4, tet10 or wedge6; a plate of one cell is hex8");
+}
+
 void bind(Binder& b, PunchOptions& o) {
   b("shape", o.shape, "strip or disc")("radius", o.radius, "half width of the punch");
   b("facets", o.facets, "faces of the body from the middle to the edge of the punch");
@@ -294,6 +306,8 @@ MeshData dispatch(const std::string& kind, const Written& written,
     return run(written, &sphere_pair, keys);
   if (kind == "two_cylinders")
     return run(written, &cylinder_pair, keys);
+  if (kind == "paraboloid")
+    return run(written, &paraboloid, keys);
   if (kind == "punch")
     return run(written, &punch, keys);
   const auto& kinds = generator_kinds();
@@ -305,8 +319,8 @@ MeshData dispatch(const std::string& kind, const Written& written,
 
 const std::vector<std::string>& generator_kinds() {
   static const std::vector<std::string> kinds{
-      "box",         "blocks",    "quarter_cylinder", "sphere_plane",  "rings",
-      "hertz_block", "interface", "two_spheres",      "two_cylinders", "punch"};
+      "box",       "blocks",      "quarter_cylinder", "sphere_plane", "rings", "hertz_block",
+      "interface", "two_spheres", "two_cylinders",    "paraboloid",   "punch"};
   return kinds;
 }
 

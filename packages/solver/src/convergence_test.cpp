@@ -71,7 +71,7 @@ NOX::StatusTest::StatusType ConvergenceTest::judge() {
     reason_ = "The residual is not a finite number.";
     return NOX::StatusTest::Failed;
   }
-  if (residual == 0.0 || residual <= options_.tolerance * reference_)
+  if (residual <= options_.tolerance * reference_ && system_.settled())
     return NOX::StatusTest::Converged;
   if (diverges()) {
     reason_ = "Newton diverges: the residual grew from " + scientific(residuals_.front()) + " to " +

@@ -75,6 +75,51 @@ TEST_P(PairCell, TwoSpheresTouchAtTheirPoles) {
   EXPECT_GT(volume(m), 0.98 * 9.0 * pi / 6.0);
 }
 
+TEST_P(PairCell, ParaboloidIsTrueAndConforming) {
+  ParaboloidOptions o;
+  o.radius = 2.0;
+  o.facets = 3;
+  o.gap = 0.01;
+  o.plate_facets = 2;
+  o.element = GetParam();
+  const MeshData m = paraboloid(o);
+  EXPECT_GT(min_scaled_jacobian(m), abut::fem::info(GetParam()).corners == 8 ? 0.7 : 0.0);
+  for (Global n : m.node_sets.at("contact")) {
+    const Vec3 x = point(m, n);
+    EXPECT_NEAR(x[2], 0.01 + (x[0] * x[0] + x[1] * x[1]) / 4.0, 1e-16);
+    EXPECT_LE(std::hypot(x[0], x[1]), 0.2);
+  }
+  for (Global n : m.node_sets.at("plate_top"))
+    EXPECT_EQ(m.x[3 * n + 2], 0.0);
+  const Vec3 pole = point(m, m.node_sets.at("pole")[0]);
+  EXPECT_EQ(norm(pole - Vec3{{0.0, 0.0, 0.01}}), 0.0);
+  for (const SideData& s : m.side_sets.at("contact"))
+    EXPECT_LT(area(m, s)[2], 0.0);
+  for (const SideData& s : m.side_sets.at("plate_top"))
+    EXPECT_GT(area(m, s)[2], 0.0);
+  std::vector<SideData> outside;
+  ASSERT_TRUE(boundary(m, outside));
+  const std::size_t lower_face = faces_in(m, {"top"}); // as many as the face opposite
+  EXPECT_EQ(faces_in(m, {"x0", "x1", "y0", "y1", "top", "plate_top", "plate_bottom"}) + lower_face,
+            outside.size());
+  EXPECT_NEAR(volume(m), 2.0, 1e-12); // the block is sheared
+}
+
+TEST(Paraboloid, PlateOfOneCellReachesBeyondTheSymmetryPlanes) {
+  ParaboloidOptions o;
+  o.facets = 2;
+  const MeshData m = paraboloid(o);
+  EXPECT_EQ(m.side_sets.at("plate_top").size(), 1U);
+  double low = 0.0;
+  for (Global n : m.node_sets.at("plate_top"))
+    low = std::min(low, m.x[3 * n]);
+  EXPECT_EQ(low, -0.1);
+  for (Global n : m.node_sets.at("x0"))
+    EXPECT_EQ(m.x[3 * n], 0.0);
+  o.core = 2.0;
+  EXPECT_THROW(paraboloid(o), abut::InputError);
+}
+
 TEST_P(PairCell, TwoCylindersTouchAlongALine) {
   CylinderPairOptions o;
   o.upper_facets = 6;

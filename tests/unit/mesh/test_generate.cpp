@@ -22,7 +22,7 @@ std::string message_of(const std::string& kind, const std::map<std::string, std:
 }
 
 TEST(Generate, EveryKindWorksWithoutOptions) {
-  ASSERT_EQ(generator_kinds().size(), 10U);
+  ASSERT_EQ(generator_kinds().size(), 11U);
   for (const std::string& kind : generator_kinds()) {
     const MeshData m = generate(kind, {});
     EXPECT_GT(m.num_elements(), 0) << kind;

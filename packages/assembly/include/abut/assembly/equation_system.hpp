@@ -72,6 +72,8 @@ public:
   /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the
   /// last tangent: a body that moves without strain has no other forces. [force]
   double round_off_force() const { return round_off_force_; }
+  /// Whether the last residual follows the true laws, see Contribution::settled.
+  bool settled() const { return settled_; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
@@ -141,6 +143,7 @@ private:
   WorkState work_state_;
   ExternalWork external_work_;
   double reference_force_ = 0.0, round_off_force_ = 0.0;
+  bool settled_ = true;
   RCP<Matrix> matrix_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/contact/corner_space.hpp"
 #include "abut/contact/facing_surface.hpp"
 #include "abut/contact/normal_law.hpp"
 #include "abut/contact/options.hpp"
@@ -37,15 +38,17 @@ struct ContactSummary {
 /// What the next augmentation would do.
 struct Augmentation {
   double change = 0.0;    ///< relative change of the multipliers, L2 [1]
-  double gap = 0.0;       ///< largest violation (penetration, motion in stick) over face size [1]
+  /// Largest violation over face size: penetration and motion in stick, at points, or averaged at
+  /// those corners whose faces are closed when the multipliers live there [1].
+  double gap = 0.0;
   double length = 0.0;    ///< the same [length]
   bool converged = false; ///< the tolerances hold
   bool stalled = false;   ///< what is beyond its tolerance has not fallen for several augmentations
 };
 
 /// New multipliers of a point after a solve: changes `pressure` and `shear` (tangent, on the
-/// primary) from the present tractions, with which they come in, to the multipliers of the next
-/// solve.
+/// primary) from those that the interface's own update gives, with which they come in, to the
+/// multipliers of the next solve.
 using MultiplierUpdate =
     std::function<void(const PointState& point, double& pressure, Vec3& shear)>;
 
@@ -94,7 +97,7 @@ public:
   void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
   /// Another law of the normal traction; empty: penalty and multiplier.
   void set_normal_law(NormalLaw law) { normal_law_ = std::move(law); }
-  /// Another update of the multipliers; empty: they become the tractions.
+  /// Another update of the multipliers; empty: that of options().multipliers.
   void set_update(MultiplierUpdate update) { update_ = std::move(update); }
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
   /// for deep points. For checks.
@@ -112,13 +115,14 @@ public:
   void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
   bool symmetric() const override;
   double round_off_force2() const override;
+  bool settled() const override;
   void accept() override;
   void reject() override;
 
-  /// How far the multipliers are from the tractions in the last prepared configuration. Collective.
-  Augmentation augmentation() const;
-  /// Multipliers <- tractions at every point, stick and slip alike. Collective. Prepare again
-  /// before the next residual, which then holds every point's status once.
+  /// What the next multipliers would be in the last prepared configuration. Collective.
+  Augmentation augmentation();
+  /// They become the multipliers, of stick and slip alike. Collective. Prepare again before the
+  /// next residual, which then holds every point's status once.
   void augment();
 
   ContactSummary summary() const; ///< Collective.
@@ -169,12 +173,28 @@ private:
   bool evaluate_inclined(Local face, int point, const PrimaryPoint<double>& at, const Vec3& trial);
   void evaluate_partner(Local face, int point, const PrimaryPoint<double>& at);
   bool normal_response(Local face, PointState& state) const;
-  PointRule sliding_rule(const PointState& state, const ContactPoint& c,
+  PointRule sliding_rule(Local face, PointState& state, const ContactPoint& c,
                          const PrimaryPoint<double>& at, const Vec3* y) const;
+  bool within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
+                   double pressure) const;
   void set_traction(Local face, int point, PointRule rule);
+  void keep_iterate();
   /// The point as the kernels take it; y_previous must live as long as the result.
   ContactPoint contact_point(Local face, int point, const Vec3* y_previous) const;
   double effective_gap(const PointState& state) const { return state.gap - state.offset; }
+
+  struct Multiplier {
+    double pressure = 0.0;
+    Vec3 shear = Vec3::zero();
+  };
+  void propose();
+  void propose_averages();
+  Multiplier base(const PointState& state, const PrimaryPoint<double>& at) const;
+  void measure_points();
+  double relative_change() const;
+  /// visit(face, point, state, corner functions), for all points with a partner.
+  void each_covered_point(
+      const std::function<void(Local, int, const PointState&, const double*)>& visit) const;
 
   void build_pairs();
   double penalty_of(Local face, Local facing) const;
@@ -202,6 +222,7 @@ private:
   MultiplierUpdate update_;
   double end_ = 1.0, time_ = 0.0, penalty_scale_ = 1.0, friction_ = 0.0;
   FacingSurface facing_;
+  CornerSpace corners_;
   double softest_modulus_ = 0.0;
   double slack_ = 0.0;         ///< motion after which faces are collected anew [length]
   std::vector<double> size_;   ///< (primary faces) [length]
@@ -230,6 +251,10 @@ private:
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
+  std::vector<Multiplier> next_; ///< (I,P) proposed, empty when not yet
+  double violation_ = 0.0, violation_length_ = 0.0; ///< of this rank, see Augmentation
+  std::array<double, 2> judged_{};                  ///< gap and change of the proposal
+  bool increments_ = false; ///< smoothed multipliers grow by averages of what springs carry
   std::vector<double> last_gaps_, last_changes_; ///< before each augmentation of the step
 };
 

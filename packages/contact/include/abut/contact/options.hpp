@@ -20,6 +20,12 @@ enum class FrictionMap {
   literal,      ///< the printed theory; not continuous at the cone
 };
 
+/// How Newton decides between stick and slip on the way to the return map's answer.
+enum class FrictionSwitching {
+  primal_dual, ///< by the last iterate's traction and a soft spring: does not cycle
+  return_map,  ///< by the return map itself, as stiff as the penalty
+};
+
 enum class InitialOverlap {
   keep,    ///< an overlap of the meshes is resolved at once
   resolve, ///< pushed out while t rises to its end
@@ -32,6 +38,13 @@ enum class Tangent {
   symmetric, ///< symmetric part of the closed form: half the solver's work, more iterations
 };
 
+/// Where the multipliers of augmented Lagrangian live. docs/theory/multipliers.md
+enum class Multipliers {
+  automatic, ///< smoothed
+  per_point, ///< one at each integration point: the theory; its pressures oscillate
+  smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
+};
+
 /// One contact interface. Lengths that a user would have to tune are fractions of face sizes.
 struct ContactOptions {
   std::string name;
@@ -40,6 +53,7 @@ struct ContactOptions {
   Formulation formulation = Formulation::facet_on_facet;
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
+  Multipliers multipliers = Multipliers::automatic;
 
   double penalty_factor = 10.0; ///< f in eps = f E_n A / V, when penalty is 0 [1]
   double penalty = 0.0;         ///< eps itself, 0 means automatic [pressure/length]
@@ -49,6 +63,7 @@ struct ContactOptions {
   double friction = 0.0;      ///< coefficient mu [1]
   std::string friction_curve; ///< factor on mu over t
   FrictionMap friction_map = FrictionMap::automatic;
+  FrictionSwitching friction_switching = FrictionSwitching::primal_dual;
 
   bool two_pass = false;     ///< both sides carry points, each half of the traction
   bool tension = false;      ///< a point that is in contact may pull
@@ -71,6 +86,9 @@ struct ContactOptions {
   int max_augmentations = 20;
 
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
+  Multipliers space() const {
+    return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
+  }
   FrictionMap map() const {
     if (friction_map != FrictionMap::automatic)
       return friction_map;

@@ -16,6 +16,7 @@ struct PointHistory {
   double anchor_xi[2] = {0.0, 0.0};
   bool in_contact = false; ///< at the last converged step
   double gap = 0.0;        ///< then [length]
+  Vec3 shear{{0, 0, 0}};   ///< traction along the contact then [pressure]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
   double sliding = 0.0;    ///< shear force of the last step if it slipped then, else 0 [force]
   double dissipated = 0.0; ///< friction work so far [energy]
@@ -43,6 +44,11 @@ struct PointState {
   double pressure = 0.0;    ///< per area of the formulation's measure; < 0 only in tension
   Vec3 traction{{0, 0, 0}}; ///< on the primary, of the same measure [pressure]
   Vec3 normal{{0, 0, 0}};   ///< contact normal, from the secondary to the primary
+  Vec3 last_shear{{0, 0, 0}}; ///< of the last Newton iterate, within the cone [pressure]
+  bool was_pressed = false;           ///< then
+  Status last_status = Status::open;  ///< then
+  int swaps = 0;                      ///< changes of status or of direction in this solve
+  bool beyond = false;        ///< sticks though its traction lies beyond the cone: not settled
   int flips = 0;            ///< changes of status in this step
   bool touching = false;    ///< no pressure, but stiff: bodies that just touch hold
 

@@ -58,6 +58,27 @@ struct CylinderPairOptions : RoundPairOptions {
 /// and y1.
 MeshData cylinder_pair(const CylinderPairOptions& options);
 
+struct ParaboloidOptions {
+  double radius = 1.0;   ///< R of the face z = r^2/(2 R)
+  double size = 1.0;     ///< edge length of the body, and of a plate that is meshed
+  double core = 0.1;     ///< extent of the uniform fine region from the axis
+  int facets = 8;        ///< faces along the core
+  double growth = 1.25;  ///< largest ratio of neighbouring cells outside the core
+  double depth = -1.0;   ///< extent of the uniform layers below the surfaces; negative: core / 2
+  double max_size = 0.0; ///< largest cell; 0: size / 5
+  double gap = 0.0;      ///< height of the lowest point above z = 0
+  int plate_facets =
+      0; ///< faces of the plate along the core; 0: the plate is one cell, to be rigid
+  fem::CellType element = fem::CellType::hex8; ///< of both bodies; a plate of one cell is hex8
+};
+
+/// Block `paraboloid`: the quarter x >= 0, y >= 0 of a block whose lower face bulges as
+/// z = gap + r^2/(2 R), with nodes on the true surface; its layers run parallel to that face. Block
+/// `plate` below z = 0. Sets: contact (lower faces within 2 core of the axis), top, plate_top,
+/// plate_bottom, and x0, x1, y0, y1, of both bodies where the plate is meshed; the node set `pole`.
+/// A plate of one cell reaches 2.5 core, and core beyond the symmetry planes.
+MeshData paraboloid(const ParaboloidOptions& options);
+
 enum class PunchShape {
   strip, ///< half of a long punch, 0 <= x <= radius, a slab along y
   disc   ///< quarter of a circular punch about the z axis

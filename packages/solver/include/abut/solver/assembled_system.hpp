@@ -21,6 +21,7 @@ public:
   bool symmetric() const override { return equations_.symmetric(); }
   double reference_force() const override { return equations_.reference_force(); }
   double round_off_force() const override { return equations_.round_off_force(); }
+  bool settled() const override { return equations_.settled(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   const double* node_coordinates() const override { return coordinates_.data(); }
   void set_time(double t) override { equations_.set_time(t); }

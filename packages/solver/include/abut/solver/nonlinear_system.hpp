@@ -31,6 +31,9 @@ public:
   /// A residual norm no larger than this is rounding and counts as zero. [force]
   virtual double round_off_force() const { return 0.0; }
 
+  /// Whether the last residual is of the true laws; a solve does not end before.
+  virtual bool settled() const { return true; }
+
   /// For multigrid: unknowns come in rows of this many per node.
   virtual int unknowns_per_node() const { return 1; }
   /// coordinates of the nodes behind the unknowns (local unknowns / unknowns_per_node, 3), or

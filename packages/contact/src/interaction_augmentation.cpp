@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Multipliers: what the next ones are, and whether another solve with them is worth it.
+#include "constants.hpp"
+#include "point_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::contact {
+
+namespace {
+constexpr double plateau_ratio = 0.98; ///< an augmentation that leaves more of the gap than this...
+constexpr std::size_t plateau_count = 3; ///< ...so many times in a row changes nothing any more
+
+/// Whether a measure has stopped falling, with its values before earlier augmentations.
+bool plateau(const std::vector<double>& earlier, double now) {
+  if (earlier.size() < plateau_count)
+    return false;
+  for (std::size_t k = 0; k < plateau_count; ++k) {
+    const double before = earlier[earlier.size() - 1 - k];
+    if (now <= plateau_ratio * before)
+      return false;
+    now = before;
+  }
+  return true;
+}
+
+/// Columns of what is summed at the corners; all but the first are weighted with it.
+enum Sums { weight, size, pressure, shear, closed = shear + 3, sticking, gap, motion, sums = motion + 3 };
+
+} // namespace
+
+/// What the multipliers change from: the averages hold the rest of the tractions.
+Interaction::Multiplier Interaction::base(const PointState& state,
+                                          const PrimaryPoint<double>& at) const {
+  if (options_.tied || increments_)
+    return {state.history.multiplier, turned_traction(state.history.carried, at)};
+  // Averaged shear would spread a little with every step: only its change in the step is.
+  if (options_.map() == FrictionMap::incremental && state.pressed())
+    return {0.0, turned_traction(state.converged.carried, at)};
+  return {};
+}
+
+void Interaction::propose() {
+  next_.assign(points_.size(), {});
+  if (options_.space() == Multipliers::smoothed)
+    propose_averages();
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      const Local i = point_index(f, p);
+      const PointState& state = points_[i];
+      Multiplier& next = next_[i];
+      if (options_.space() == Multipliers::per_point)
+        next = {state.pressure, state.traction - state.pressure * state.normal};
+      if (!state.pressed())
+        next.shear = Vec3::zero();
+      if (update_)
+        update_(state, next.pressure, next.shear);
+    }
+}
+
+/// Averages of the tractions at the corners, read back by the points. The pressures stay apart from
+/// them by what the springs carry, as little as an average differs from the pressure itself.
+void Interaction::propose_averages() {
+  std::vector<double> at_corners(std::size_t(primary_.num_nodes()) * sums, 0.0);
+  each_covered_point([&](Local f, int p, const PointState& state, const double* N) {
+    const auto at = primary_point(shape(f, p), primary_nodes(f));
+    const Multiplier from = base(state, at);
+    const Vec3 present = state.traction - state.pressure * state.normal;
+    const Vec3 spring = present - turned_traction(state.history.carried, at);
+    const bool sticks = state.status() == Status::stick;
+    for (int a = 0; a < corners_.corners(f); ++a) {
+      double* s = &at_corners[std::size_t(corners_.nodes(f)[a]) * sums];
+      const double w = N[a] * area_[point_index(f, p)];
+      s[weight] += w;
+      s[size] += w * size_[f];
+      s[pressure] += w * (state.pressure - from.pressure);
+      s[closed] += state.pressed() ? w : 0.0;
+      s[sticking] += sticks ? w : 0.0;
+      s[gap] += w * effective_gap(state);
+      for (int i = 0; i < 3; ++i) {
+        s[shear + i] += state.pressed() ? w * (present[i] - from.shear[i]) : 0.0;
+        s[motion + i] += sticks ? w * spring[i] / state.penalty : 0.0;
+      }
+    }
+  });
+  corners_.sum(at_corners, sums);
+  violation_ = 0.0;
+  violation_length_ = 0.0;
+  for (std::size_t k = 0; k < at_corners.size(); k += sums) {
+    double* s = &at_corners[k];
+    if (s[weight] <= 0.0)
+      continue;
+    for (int i = 1; i < sums; ++i)
+      s[i] /= s[weight];
+    constexpr double whole = 1.0 - 1e-9; // at the rim of the contact the average is half open
+    double most = s[closed] >= whole ? -s[gap] : 0.0;
+    if (s[sticking] >= whole)
+      most = std::max(most, norm(Vec3{{s[motion], s[motion + 1], s[motion + 2]}}));
+    violation_ = std::max(violation_, most / s[size]);
+    violation_length_ = std::max(violation_length_, most);
+  }
+  each_covered_point([&](Local f, int p, const PointState& state, const double* N) {
+    const auto read = [&](int column) { return corners_.interpolate(f, N, at_corners, column, sums); };
+    const Multiplier from = base(state, primary_point(shape(f, p), primary_nodes(f)));
+    Multiplier& next = next_[point_index(f, p)];
+    next.pressure = from.pressure + read(pressure);
+    if (!options_.tied && !options_.tension)
+      next.pressure = std::max(0.0, next.pressure);
+    next.shear = from.shear + Vec3{{read(shear), read(shear + 1), read(shear + 2)}};
+  });
+}
+
+void Interaction::each_covered_point(
+    const std::function<void(Local, int, const PointState&, const double*)>& visit) const {
+  double N[CornerSpace::max_corners];
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      const PointState& state = points_[point_index(f, p)];
+      if (state.facing < 0)
+        continue;
+      corners_.values(f, table_[f]->rule.xi[std::size_t(p)].data(), N);
+      visit(f, p, state, N);
+    }
+}
+
+/// Largest penetration and motion in stick, point by point.
+void Interaction::measure_points() {
+  violation_ = violation_length_ = 0.0;
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      const PointState& state = points_[point_index(f, p)];
+      if (state.facing < 0)
+        continue;
+      const auto at = primary_point(shape(f, p), primary_nodes(f));
+      double most = -effective_gap(state);
+      if (state.status() == Status::stick && state.penalty > 0.0)
+        most = std::max(most, norm(state.traction - state.pressure * state.normal -
+                                   turned_traction(state.history.carried, at)) /
+                                  state.penalty);
+      violation_ = std::max(violation_, most / size_[f]);
+      violation_length_ = std::max(violation_length_, most);
+    }
+}
+
+/// Relative change that the proposed multipliers make, L2.
+double Interaction::relative_change() const {
+  double total[2] = {0.0, 0.0};
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      const Local i = point_index(f, p);
+      const PointState& state = points_[i];
+      const auto at = primary_point(shape(f, p), primary_nodes(f));
+      const Vec3 shear_change = next_[i].shear - turned_traction(state.history.carried, at);
+      const double change = next_[i].pressure - state.history.multiplier;
+      total[0] += area_[i] * (change * change + dot(shear_change, shear_change));
+      total[1] += area_[i] * dot(state.traction, state.traction);
+    }
+  comm_.sum(total, 2);
+  return total[1] > 0.0 ? std::sqrt(total[0] / total[1]) : total[0] > 0.0 ? 1.0 : 0.0;
+}
+
+Augmentation Interaction::augmentation() {
+  Augmentation result;
+  const auto judge = [&] {
+    propose();
+    if (options_.space() == Multipliers::per_point)
+      measure_points();
+    result.change = relative_change();
+    result.gap = comm_.max(violation_);
+    result.length = comm_.max(violation_length_);
+    return (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
+           (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
+  };
+  bool closed = judge();
+  bool settled = result.change <= options_.multiplier_tolerance;
+  if (settled && !closed && !increments_ && options_.space() == Multipliers::smoothed) {
+    increments_ = true; // what averages leave open, increments close
+    closed = judge();
+    settled = result.change <= options_.multiplier_tolerance;
+  }
+  result.converged = settled && closed;
+  // A tolerance that is not met while what it bounds still falls is worth another solve.
+  result.stalled = !result.converged && (settled || plateau(last_changes_, result.change)) &&
+                   (closed || plateau(last_gaps_, result.gap));
+  judged_ = {result.gap, result.change};
+  return result;
+}
+
+void Interaction::augment() {
+  if (next_.size() != points_.size())
+    augmentation();
+  last_gaps_.push_back(judged_[0]);
+  last_changes_.push_back(judged_[1]);
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      const Local i = point_index(f, p);
+      PointState& state = points_[i];
+      const auto at = primary_point(shape(f, p), primary_nodes(f));
+      state.history.multiplier = next_[i].pressure;
+      state.history.carried =
+          state.pressed() ? store_traction(at, next_[i].shear) : StoredTraction();
+      state.swaps = 0;
+      state.returns = 0; // another solve may swing for its own reasons
+      state.left = -1;
+    }
+  frozen_ = true;
+  searches_ = 0;
+}
+
+} // namespace abut::contact
