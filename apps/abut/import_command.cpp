@@ -70,8 +70,8 @@ void import_file(const Arguments& arguments) {
   write_text(dir / (name + ".import.txt"), scene.report.text(arguments.file));
   std::cout << deck << ": " << scene.mesh.num_nodes() << " nodes, " << scene.mesh.num_elements()
             << " elements; " << scene.report.count(febio::Fate::used) << " constructs used, "
-            << scene.report.count(febio::Fate::ignored)
-            << " ignored because harmless, see " << name << ".import.txt\n";
+            << scene.report.count(febio::Fate::ignored) << " ignored because harmless, see " << name
+            << ".import.txt\n";
 }
 
 } // namespace

@@ -11,8 +11,7 @@ namespace {
 
 class ContactWriter {
 public:
-  ContactWriter(const Model& model, const MeshTranslation& mesh, DeckCurves& curves,
-                Report& report)
+  ContactWriter(const Model& model, const MeshTranslation& mesh, DeckCurves& curves, Report& report)
       : model_(model), mesh_(mesh), curves_(curves), report_(report) {}
 
   std::string text() {
@@ -96,8 +95,9 @@ private:
         if ((surface == &p.primary || c.flag("two_pass")) &&
             model_.material(d.material)->is_rigid()) {
           report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused,
-                       "surface '" + *surface + "' is rigid, and FEBio takes its penalty from the "
-                       "E and v of the rigid material: give a number, auto_penalty 0"});
+                       "surface '" + *surface +
+                           "' is rigid, and FEBio takes its penalty from the "
+                           "E and v of the rigid material: give a number, auto_penalty 0"});
           return;
         }
       }
@@ -130,9 +130,9 @@ private:
   }
 
   void augmentation(const Contact& c) {
+    line("multipliers", "per_point"); // as FEBio has them
     // The ray formulation compares sums of squares, whose relative change is twice as large.
-    const double tolerance =
-        (c.type == "sliding-elastic" ? 0.5 : 1.0) * c.number("tolerance");
+    const double tolerance = (c.type == "sliding-elastic" ? 0.5 : 1.0) * c.number("tolerance");
     if (tolerance > 0.0)
       line_unless("multiplier_tolerance", tolerance, 0.01);
     else

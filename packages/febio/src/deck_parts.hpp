@@ -15,8 +15,7 @@ namespace abut::febio {
 /// FEBio's load curves that a deck uses, as its piecewise linear ones.
 class DeckCurves {
 public:
-  DeckCurves(const Model& model, double end)
-      : model_(model), end_(end) {}
+  DeckCurves(const Model& model, double end) : model_(model), end_(end) {}
 
   /// Name of the curve a value follows; "constant" for one without. Throws InputError when there is
   /// no such load controller.
@@ -31,7 +30,8 @@ private:
   std::map<int, std::string> used_; ///< by id; 0: the constant
 };
 
-/// A rigid body of the deck: rigid materials whose domains or ties share nodes are one, as in FEBio.
+/// A rigid body of the deck: rigid materials whose domains or ties share nodes are one, as in
+/// FEBio.
 struct RigidBody {
   std::vector<std::string> materials;
   std::vector<std::size_t> domains;

@@ -101,9 +101,8 @@ private:
   std::string materials() {
     std::string out;
     for (const Material& m : model_.materials) {
-      const bool used =
-          std::any_of(model_.mesh.domains.begin(), model_.mesh.domains.end(),
-                      [&](const Domain& d) { return d.material == m.name; });
+      const bool used = std::any_of(model_.mesh.domains.begin(), model_.mesh.domains.end(),
+                                    [&](const Domain& d) { return d.material == m.name; });
       if (m.is_rigid())
         continue;
       if (!used) {
@@ -134,8 +133,8 @@ private:
       std::string febio;
       for (const std::string& m : body.materials)
         febio += (febio.empty() ? "" : " and ") + m;
-      out += "  " + name + ":" + comment(name, febio, "") + "\n" + members(body) + "    rigid: " +
-             motion(body) + "\n";
+      out += "  " + name + ":" + comment(name, febio, "") + "\n" + members(body) +
+             "    rigid: " + motion(body) + "\n";
     }
     return "bodies:\n" + out;
   }
@@ -179,8 +178,8 @@ private:
   }
 
   /// Entries of one load: components that follow one curve stand together.
-  void add_load(const Load& l, const std::string& name, const char* key, double factor, const std::string& place_key,
-                const std::string& place) {
+  void add_load(const Load& l, const std::string& name, const char* key, double factor,
+                const std::string& place_key, const std::string& place) {
     std::map<int, std::array<double, 3>> parts;
     for (std::size_t i = 0; i < 3; ++i)
       if (!l.vector[i].is_zero())
@@ -215,18 +214,16 @@ private:
         break;
       }
       case Load::Kind::traction:
-        add_load(l, l.name.empty() ? "traction" : l.name, "traction", 1.0, "side_set",
-                 l.place);
+        add_load(l, l.name.empty() ? "traction" : l.name, "traction", 1.0, "side_set", l.place);
         break;
       case Load::Kind::nodal:
-        add_load(l, l.name.empty() ? "force" : l.name, "force", 1.0, "node_set",
-                 node_set(l));
+        add_load(l, l.name.empty() ? "force" : l.name, "force", 1.0, "node_set", node_set(l));
         break;
       case Load::Kind::body_force:
         for (const Domain& d : model_.mesh.domains)
           if (!model_.material(d.material)->is_rigid())
-            add_load(l, (l.name.empty() ? "weight" : l.name) + "_of_" + d.name, "body_force", -model_.material(d.material)->numbers.at("density"), "block",
-                     d.name);
+            add_load(l, (l.name.empty() ? "weight" : l.name) + "_of_" + d.name, "body_force",
+                     -model_.material(d.material)->numbers.at("density"), "block", d.name);
         break;
       }
     }

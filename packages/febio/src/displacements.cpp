@@ -62,8 +62,8 @@ private:
         for (const Global id : nodes) {
           const auto [it, is_new] = prescribed_[i].emplace(id, &d);
           if (!is_new && !(it->second->value == d.value))
-            throw InputError(model_.where(d.line) + ": node " + std::to_string(id) +
-                             " has its " + "xyz"[i] + " displacement prescribed in line " +
+            throw InputError(model_.where(d.line) + ": node " + std::to_string(id) + " has its " +
+                             "xyz"[i] + " displacement prescribed in line " +
                              std::to_string(it->second->line) + " already");
         }
     add(nodes, d, false, d.components);
@@ -94,8 +94,7 @@ private:
     if (nodes.empty() || components == std::array<bool, 3>{})
       return;
     auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
-      return e.nodes == nodes && e.is_fixed() == fixed &&
-             (fixed || e.curve.curve == d.value.curve);
+      return e.nodes == nodes && e.is_fixed() == fixed && (fixed || e.curve.curve == d.value.curve);
     });
     if (entry == entries_.end()) {
       entries_.push_back({nodes, d.place, {}, {}, {}, {}, d.value});

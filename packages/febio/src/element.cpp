@@ -137,8 +137,7 @@ void Document::add_attributes(pugi::xml_node node, const Mark& mark, const std::
         mark.attributes.end())
       report.add({line(node), path, Fate::refused,
                   std::string("attribute '") + a.name() + "' is not supported here; " +
-                      nearest_word_hint(a.name(), mark.attributes.data(),
-                                        mark.attributes.size())});
+                      nearest_word_hint(a.name(), mark.attributes.data(), mark.attributes.size())});
 }
 
 void Document::collect(pugi::xml_node node, const std::string& path, Report& report) const {
@@ -154,8 +153,8 @@ void Document::collect(pugi::xml_node node, const std::string& path, Report& rep
   if (mark.bulk)
     return;
   const char* name = node.attribute("name").value();
-  report.add({line(node), path + (*name ? " '" + std::string(name) + "'" : ""), mark.fate,
-              mark.note});
+  report.add(
+      {line(node), path + (*name ? " '" + std::string(name) + "'" : ""), mark.fate, mark.note});
   if (mark.fate != Fate::used)
     return;
   for (const pugi::xml_node child : node.children())

@@ -20,8 +20,8 @@ class Element;
 /// asked for ends up refused, so that nothing is dropped in silence.
 class Document {
 public:
-  /// Throws InputError "FILE:LINE: ..." when the text is not XML. Text that is not UTF-8 is taken as
-  /// Latin 1.
+  /// Throws InputError "FILE:LINE: ..." when the text is not XML. Text that is not UTF-8 is taken
+  /// as Latin 1.
   Document(const std::string& text, std::string file);
 
   /// The root, which must have this name.

@@ -32,8 +32,7 @@ Corners key_of(const Global* nodes, std::size_t count) {
 
 /// Whether b runs through the same corners in the same direction as a.
 bool same_direction(const Global* a, const Global* b, std::size_t count) {
-  const std::size_t start =
-      static_cast<std::size_t>(std::find(b, b + count, a[0]) - b);
+  const std::size_t start = static_cast<std::size_t>(std::find(b, b + count, a[0]) - b);
   return b[(start + 1) % count] == a[1];
 }
 
@@ -148,8 +147,8 @@ void MeshTranslation::measure() {
       Vec3 x[fem::max_cell_nodes];
       for (std::size_t a = 0; a < n; ++a)
         x[a] = position(d.nodes[e * n + a]);
-      const CellMeasure m = fem::dispatch_cell(
-          d.cell, [&](auto shape) { return measure_cell<decltype(shape)>(x); });
+      const CellMeasure m =
+          fem::dispatch_cell(d.cell, [&](auto shape) { return measure_cell<decltype(shape)>(x); });
       if (!(m.least > 0.0)) {
         std::ostringstream text;
         text << model_.where(d.lines[e]) << ": <elem>: element " << d.id[e]
@@ -274,9 +273,8 @@ double MeshTranslation::face_size(const std::string& surface) const {
     if (s.name == surface)
       for (const Facet& f : s.facets) {
         const Vec3 a = position(f.nodes[0]), b = position(f.nodes[1]), c = position(f.nodes[2]);
-        const double area =
-            f.corners == 3 ? 0.5 * norm(cross(b - a, c - a))
-                           : 0.5 * norm(cross(c - a, position(f.nodes[3]) - b));
+        const double area = f.corners == 3 ? 0.5 * norm(cross(b - a, c - a))
+                                           : 0.5 * norm(cross(c - a, position(f.nodes[3]) - b));
         sum += std::sqrt(area);
         ++count;
       }

@@ -108,10 +108,10 @@ Word word_of(Element parent, const char* key, const char* const (&words)[n]) {
 }
 
 void read_curve(Element controller, LoadCurve& curve) {
-  curve.interpolation = word_of<Interpolation>(controller, "interpolate",
-                                               {"LINEAR", "STEP", "SMOOTH"});
-  curve.extension = word_of<Extension>(
-      controller, "extend", {"CONSTANT", "EXTRAPOLATE", "REPEAT", "REPEAT OFFSET"});
+  curve.interpolation =
+      word_of<Interpolation>(controller, "interpolate", {"LINEAR", "STEP", "SMOOTH"});
+  curve.extension = word_of<Extension>(controller, "extend",
+                                       {"CONSTANT", "EXTRAPOLATE", "REPEAT", "REPEAT OFFSET"});
   Element points = controller.required_child("points");
   for (Element pt : points.bulk()) {
     if (pt.name() != "pt" && pt.name() != "point")

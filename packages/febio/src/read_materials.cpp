@@ -73,9 +73,8 @@ void read_rigid_body(Element material, Material& m) {
 } // namespace
 
 void read_materials(Element section, Model& model) {
-  static const std::string types[] = {"neo-Hookean",  "Mooney-Rivlin",
-                                      "Ogden",        "Ogden unconstrained",
-                                      "Holmes-Mow",   "isotropic elastic",
+  static const std::string types[] = {"neo-Hookean",         "Mooney-Rivlin", "Ogden",
+                                      "Ogden unconstrained", "Holmes-Mow",    "isotropic elastic",
                                       "St.Venant-Kirchhoff", "rigid body"};
   for (Element material : section.children("material")) {
     Material m;

@@ -20,9 +20,8 @@ struct CellWord {
 constexpr CellWord cell_words[] = {
     {"hex8", fem::CellType::hex8, {0, 1, 2, 3, 4, 5, 6, 7}},
     // Middles of the vertical edges come before those of the upper ones in Exodus II.
-    {"hex20",
-     fem::CellType::hex20,
-     {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15}},
+    {"hex20", fem::CellType::hex20, {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,
+                                     10, 11, 16, 17, 18, 19, 12, 13, 14, 15}},
     // Then center, bottom, top, -x, +x, -y, +y; FEBio has -y, +x, +y, -x, bottom, top, center.
     {"hex27", fem::CellType::hex27, {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 16, 17,
                                      18, 19, 12, 13, 14, 15, 26, 24, 25, 23, 21, 20, 22}},
@@ -35,8 +34,8 @@ struct FacetWord {
   const char* word;
   std::size_t nodes, corners;
 };
-constexpr FacetWord facet_words[] = {{"quad4", 4, 4}, {"quad8", 8, 4}, {"quad9", 9, 4},
-                                     {"tri3", 3, 3},  {"tri6", 6, 3}};
+constexpr FacetWord facet_words[] = {
+    {"quad4", 4, 4}, {"quad8", 8, 4}, {"quad9", 9, 4}, {"tri3", 3, 3}, {"tri6", 6, 3}};
 
 Global read_id(Element& e) {
   const std::string text = e.required_attribute("id");
@@ -298,7 +297,8 @@ void read_mesh_domains(Element section, Model& model) {
     const std::string type = part.attribute_or("type", "");
     const bool uncoupled = model.material(mat)->numbers.count("k") > 0;
     if (!type.empty() && type != (uncoupled ? "three-field-solid" : "elastic-solid"))
-      part.refuse("type '" + type + "': abut takes displacement elements, and for uncoupled "
+      part.refuse("type '" + type +
+                  "': abut takes displacement elements, and for uncoupled "
                   "materials in hex8 those with a mean dilatation");
     const std::string rule = part.attribute_or("elem_type", "");
     if (!rule.empty())

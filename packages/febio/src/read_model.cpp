@@ -73,7 +73,8 @@ Model read_model(const std::string& text, const std::string& file, Report& repor
   Element root = document.root("febio_spec");
   const std::string version = root.required_attribute("version");
   if (version != "4.0")
-    root.fail("version '" + version + "': expected a file of version 4.0, as FEBio Studio saves it");
+    root.fail("version '" + version +
+              "': expected a file of version 4.0, as FEBio Studio saves it");
   Model model;
   model.file = file;
   read_module(root);

@@ -17,8 +17,8 @@ void read_contacts(Element section, Model& model);
 void read_load_data(Element section, Model& model);
 
 /// Throws when the name is taken; for lists of items with a name and a line.
-template <class List> void require_new_name(const Element& e, const List& list,
-                                            const std::string& name) {
+template <class List>
+void require_new_name(const Element& e, const List& list, const std::string& name) {
   for (const auto& item : list)
     if (item.name == name)
       e.fail("the name '" + name + "' is taken by line " + std::to_string(item.line));

@@ -115,8 +115,8 @@ private:
       if (c.value.is_zero())
         continue;
       if (body->motion[i] != 0.0)
-        throw InputError(model_.where(c.line) + ": component " + "xyzuvw"[i] +
-                         " of rigid body '" + c.body + "' is prescribed twice");
+        throw InputError(model_.where(c.line) + ": component " + "xyzuvw"[i] + " of rigid body '" +
+                         c.body + "' is prescribed twice");
       body->motion[i] = c.value.number;
       follow(c.value, body->has_motion, body->motion_curve, c.line, c.name);
     }
@@ -182,9 +182,9 @@ private:
   const Model& model_;
   MeshTranslation& mesh_;
   Report& report_;
-  std::vector<std::string> names_;   ///< of rigid materials
-  std::vector<std::size_t> group_;   ///< first material of the merged ones
-  std::vector<int> body_of_group_;   ///< -1: no nodes
+  std::vector<std::string> names_; ///< of rigid materials
+  std::vector<std::size_t> group_; ///< first material of the merged ones
+  std::vector<int> body_of_group_; ///< -1: no nodes
   std::map<Global, std::size_t> owner_;
   RigidBodies result_;
 };

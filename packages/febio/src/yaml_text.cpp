@@ -19,7 +19,9 @@ std::string quoted(const std::string& name) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '-'; };
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '.' || c == '-';
+  };
   if (!name.empty() && std::all_of(name.begin(), name.end(), is_plain) &&
       std::isalpha(static_cast<unsigned char>(name[0])) && !words.count(lower))
     return name;

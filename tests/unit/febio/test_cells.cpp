@@ -44,10 +44,10 @@ void expect_order(const std::string& type, const std::vector<std::array<double, 
 
 // FEBio User Manual, elements: corners, edges of the bottom, of the top, vertical ones; faces.
 const std::vector<std::array<double, 3>> brick = {
-    {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1},  {1, 1, 1},
-    {-1, 1, 1},   {0, -1, -1}, {1, 0, -1}, {0, 1, -1},  {-1, 0, -1}, {0, -1, 1},  {1, 0, 1},
-    {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0}, {1, 1, 0},   {-1, 1, 0},  {0, -1, 0},
-    {1, 0, 0},    {0, 1, 0},   {-1, 0, 0}, {0, 0, -1},  {0, 0, 1},   {0, 0, 0}};
+    {-1, -1, -1}, {1, -1, -1}, {1, 1, -1},  {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
+    {-1, 1, 1},   {0, -1, -1}, {1, 0, -1},  {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
+    {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0},  {1, 1, 0},   {-1, 1, 0}, {0, -1, 0},
+    {1, 0, 0},    {0, 1, 0},   {-1, 0, 0},  {0, 0, -1},  {0, 0, 1},   {0, 0, 0}};
 
 TEST(Cells, NodesStandInAbutsOrder) {
   using fem::CellType;
@@ -55,7 +55,7 @@ TEST(Cells, NodesStandInAbutsOrder) {
   expect_order<CellType::hex20>("hex20", {brick.begin(), brick.begin() + 20});
   expect_order<CellType::hex27>("hex27", brick);
   const std::vector<std::array<double, 3>> tet = {
-      {0, 0, 0},   {1, 0, 0},   {0, 1, 0},   {0, 0, 1},   {0.5, 0, 0},
+      {0, 0, 0},     {1, 0, 0},   {0, 1, 0},   {0, 0, 1},     {0.5, 0, 0},
       {0.5, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
   expect_order<CellType::tet4>("tet4", {tet.begin(), tet.begin() + 4});
   expect_order<CellType::tet10>("tet10", tet);

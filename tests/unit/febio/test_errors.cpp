@@ -113,9 +113,10 @@ INSTANTIATE_TEST_SUITE_P(
                "m.feb:35: Physics: not supported here; valid: Module, Globals, Material, Mesh, "
                "MeshDomains, LoadData, Constraints, Initial, Discrete, MeshData, MeshAdaptor, "
                "Control, Boundary, Rigid, Loads, Contact, Step, Output"},
-        Broken{42, "</contact></Contact><Step><step/><step/></Step>",
-               "m.feb:42: Step/step: what holds in one step only needs as many runs: make a file of "
-               "each step; abut imports one"}));
+        Broken{
+            42, "</contact></Contact><Step><step/><step/></Step>",
+            "m.feb:42: Step/step: what holds in one step only needs as many runs: make a file of "
+            "each step; abut imports one"}));
 
 TEST(BrokenFiles, EndWithAnErrorWhereverTheyAreCut) {
   const std::string whole = with({});

@@ -55,11 +55,12 @@ TEST(Import, MeshKeepsIdsNamesAndSets) {
 }
 
 TEST(Import, EveryConstructIsReported) {
-  const Report report = scene_with({{3, "<Globals><Constants><T>0</T></Constants></Globals><Control>"
-                                        "<time_steps>4</time_steps><step_size>0.5</step_size>"
-                                        "<solver type=\"solid\"><dtol>0.1</dtol></solver>"
-                                        "</Control>"}})
-                            .report;
+  const Report report =
+      scene_with({{3, "<Globals><Constants><T>0</T></Constants></Globals><Control>"
+                      "<time_steps>4</time_steps><step_size>0.5</step_size>"
+                      "<solver type=\"solid\"><dtol>0.1</dtol></solver>"
+                      "</Control>"}})
+          .report;
   EXPECT_EQ(report.count(Fate::refused), 0);
   const std::string text = report.text("m.feb");
   for (const char* line :
@@ -110,16 +111,16 @@ TEST(Import, PrescribedWinsOverFixed) {
 }
 
 TEST(Import, ConditionsOfOneSetStandTogether) {
-  const Scene scene = scene_with({{31, "<bc name=\"a\" node_set=\"bottom\" type=\"zero "
-                                       "displacement\"><x_dof>1</x_dof></bc><bc name=\"b\" "
-                                       "node_set=\"bottom\" type=\"zero displacement\">"},
-                                  {32, "<y_dof>1</y_dof></bc><bc name=\"c\" node_set=\"@surface:low "
-                                       "face\" type=\"zero displacement\"><z_dof>1</z_dof></bc>"}});
-  EXPECT_EQ(section(scene.deck, "displacements"),
-            "displacements:\n"
-            "  a: {set: bottom, fix: [x, y]}  # FEBio: b\n"
-            "  c: {set: \"low face\", fix: [z]}\n"
-            "  press: {set: top, z: -0.1, curve: LC1}\n");
+  const Scene scene =
+      scene_with({{31, "<bc name=\"a\" node_set=\"bottom\" type=\"zero "
+                       "displacement\"><x_dof>1</x_dof></bc><bc name=\"b\" "
+                       "node_set=\"bottom\" type=\"zero displacement\">"},
+                  {32, "<y_dof>1</y_dof></bc><bc name=\"c\" node_set=\"@surface:low "
+                       "face\" type=\"zero displacement\"><z_dof>1</z_dof></bc>"}});
+  EXPECT_EQ(section(scene.deck, "displacements"), "displacements:\n"
+                                                  "  a: {set: bottom, fix: [x, y]}  # FEBio: b\n"
+                                                  "  c: {set: \"low face\", fix: [z]}\n"
+                                                  "  press: {set: top, z: -0.1, curve: LC1}\n");
 }
 
 TEST(Import, ValueWithoutCurveHoldsAtAllTimes) {
@@ -165,9 +166,10 @@ TEST(Import, RigidBodies) {
   // Components that nothing holds are free, and may be loaded.
   const std::string force = "<rigid_load name=\"l\" type=\"rigid_force\"><rb>plate</rb>"
                             "<dof>Rx</dof><value lc=\"1\">7</value></rigid_load>";
-  EXPECT_EQ(body(rigid_scene(down + force)),
-            "  plate:\n    blocks: [upper]\n    rigid: {displacement: [0, 0, -0.2], center: [0.5, "
-            "0.5, 1.5], curve: LC1, free: [x, y, rx, ry, rz], force: [7, 0, 0], load_curve: LC1}\n");
+  EXPECT_EQ(
+      body(rigid_scene(down + force)),
+      "  plate:\n    blocks: [upper]\n    rigid: {displacement: [0, 0, -0.2], center: [0.5, "
+      "0.5, 1.5], curve: LC1, free: [x, y, rx, ry, rz], force: [7, 0, 0], load_curve: LC1}\n");
 }
 
 TEST(Import, NodesTiedToARigidBodyWithoutElements) {
@@ -177,11 +179,10 @@ TEST(Import, NodesTiedToARigidBodyWithoutElements) {
                   {36, "<Rigid><rigid_bc name=\"f\" type=\"rigid_fixed\"><rb>plate</rb>"
                        "<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof>"
                        "<Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof></rigid_bc></Rigid>"}});
-  EXPECT_EQ(section(scene.deck, "bodies"),
-            "bodies:\n"
-            "  lower: {blocks: [lower], material: soft_one}\n"
-            "  upper: {blocks: [upper], material: soft_one}\n"
-            "  plate:\n    node_sets: [top]\n    rigid: {}\n");
+  EXPECT_EQ(section(scene.deck, "bodies"), "bodies:\n"
+                                           "  lower: {blocks: [lower], material: soft_one}\n"
+                                           "  upper: {blocks: [upper], material: soft_one}\n"
+                                           "  plate:\n    node_sets: [top]\n    rigid: {}\n");
 }
 
 TEST(Import, RigidMaterialsThatShareNodesAreOneBody) {
@@ -223,7 +224,8 @@ std::string contact_with(const std::string& type, const std::string& parameters)
 }
 
 TEST(Import, ContactParameters) {
-  const std::string sides = "contact:\n  touch:\n    primary: \"low face\"\n    secondary: up_face\n";
+  const std::string sides =
+      "contact:\n  touch:\n    primary: \"low face\"\n    secondary: up_face\n";
   EXPECT_EQ(contact_with("sliding-facet-on-facet", ""), sides + "    penalty: 1\n");
   // FEBio adds its two passes up.
   EXPECT_EQ(contact_with("sliding-facet-on-facet",
@@ -236,7 +238,8 @@ TEST(Import, ContactParameters) {
                          "<minaug>2</minaug><fric_coeff>0.4</fric_coeff><fric_penalty>1"
                          "</fric_penalty><seg_up>4</seg_up><search_tol>0.1</search_tol>"),
             sides + "    formulation: node_on_facet\n    enforcement: augmented_lagrangian\n"
-                    "    penalty: 1\n    friction: 0.4\n    multiplier_tolerance: 0.05\n"
+                    "    penalty: 1\n    friction: 0.4\n    multipliers: per_point\n    "
+                    "multiplier_tolerance: 0.05\n"
                     "    gap_limit: 0.001\n    min_augmentations: 2\n    max_augmentations: 10\n"
                     "    projection_margin: 0.1\n    segment_updates: 4\n");
   // No friction without a tangential penalty; the tolerance of the ray formulation is of squares.
@@ -247,7 +250,8 @@ TEST(Import, ContactParameters) {
                          "<fric_coeff>0.4</fric_coeff><search_radius>5</search_radius>"
                          "<offset>0.01</offset>"),
             sides + "    formulation: sliding_elastic\n    enforcement: augmented_lagrangian\n"
-                    "    penalty: 1\n    friction: 0.4\n    multiplier_tolerance: 0.05\n"
+                    "    penalty: 1\n    friction: 0.4\n    multipliers: per_point\n    "
+                    "multiplier_tolerance: 0.05\n"
                     "    offset: 0.01\n");
   // Without any tolerance FEBio never augments.
   EXPECT_EQ(contact_with("sliding-elastic", "<laugon>AUGLAG</laugon><tolerance>0</tolerance>"
@@ -258,8 +262,9 @@ TEST(Import, ContactParameters) {
 TEST(Import, FacesThatPointInwardsAreRefusedUnlessFlipped) {
   const std::map<std::size_t, std::string> inward = {
       {24, "<Surface name=\"low face\"><quad4 id=\"1\">8,7,6,5</quad4></Surface>"}};
-  EXPECT_EQ(error_with(inward), "m.feb:38: Contact/contact 'touch': the faces of surface 'low face' "
-                                "point into their bodies");
+  EXPECT_EQ(error_with(inward),
+            "m.feb:38: Contact/contact 'touch': the faces of surface 'low face' "
+            "point into their bodies");
   auto flipped = inward;
   flipped[41] = "<flip_primary>1</flip_primary>";
   EXPECT_EQ(error_with(flipped), "no error");

@@ -38,7 +38,8 @@ TEST(LoadCurve, Interpolations) {
   EXPECT_EQ(step(0.1), 2.0); // of the next point
   EXPECT_EQ(step(3.0), 2.0);
   EXPECT_EQ(step(3.1), 0.0);
-  // Through (0,0), (1,2), (3,2): t (8 - 2 t) / 3; in the middle the mean of that and its mirror image.
+  // Through (0,0), (1,2), (3,2): t (8 - 2 t) / 3; in the middle the mean of that and its mirror
+  // image.
   const LoadCurve smooth = curve(Interpolation::smooth, Extension::constant, points);
   EXPECT_DOUBLE_EQ(smooth(0.5), 0.5 * 7.0 / 3.0);
   EXPECT_NEAR(smooth(2.0), 2.0 * 4.0 / 3.0, 1e-15);
@@ -50,9 +51,7 @@ TEST(LoadCurve, Interpolations) {
 
 TEST(LoadCurve, Extensions) {
   const std::vector<std::array<double, 2>> points = {{1, 1}, {2, 3}};
-  const auto at = [&](Extension e, double t) {
-    return curve(Interpolation::linear, e, points)(t);
-  };
+  const auto at = [&](Extension e, double t) { return curve(Interpolation::linear, e, points)(t); };
   EXPECT_DOUBLE_EQ(at(Extension::constant, 0.0), 1.0);
   EXPECT_DOUBLE_EQ(at(Extension::constant, 5.0), 3.0);
   EXPECT_DOUBLE_EQ(at(Extension::extrapolate, 0.5), 0.0);

@@ -18,8 +18,10 @@ inline const std::vector<std::string>& two_cubes() {
       /* 2 */ "<febio_spec version=\"4.0\"><Module type=\"solid\"/>",
       /* 3 */ "<Control><time_steps>4</time_steps><step_size>0.5</step_size></Control>",
       /* 4 */ "<Material>",
-      /* 5 */ "<material id=\"1\" name=\"soft one\" type=\"neo-Hookean\"><E>10</E><v>0.3</v></material>",
-      /* 6 */ "<material id=\"2\" name=\"plate\" type=\"rigid body\"><density>2</density></material>",
+      /* 5 */
+      "<material id=\"1\" name=\"soft one\" type=\"neo-Hookean\"><E>10</E><v>0.3</v></material>",
+      /* 6 */
+      "<material id=\"2\" name=\"plate\" type=\"rigid body\"><density>2</density></material>",
       /* 7 */ "</Material>",
       /* 8 */ "<Mesh><Nodes name=\"all\">",
       /* 9 */ "<node id=\"1\">0,0,0</node><node id=\"2\">1,0,0</node>",

@@ -143,8 +143,8 @@ struct LoadCurve {
   Extension extension = Extension::constant;
   std::vector<std::array<double, 2>> points; ///< (t, value)
 
-  /// Value at t as FEBio has it: step takes the value of the next point, smooth blends the parabolas
-  /// through neighbouring points.
+  /// Value at t as FEBio has it: step takes the value of the next point, smooth blends the
+  /// parabolas through neighbouring points.
   double operator()(double t) const;
 };
 
