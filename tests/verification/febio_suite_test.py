@@ -21,11 +21,11 @@ import numpy
 import scenes
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-# FEBio's answers carry its tolerances: tight ones, or where it does not converge with these, its
-# default ones. Frictionless penalty cases are the same discrete problem.
-PENALTY, AUGMENTED, DEFAULT = 5e-3, 1e-2, 2e-2
+# Frictionless penalty cases are the same discrete problem; FEBio's augmented ones stop somewhere.
+PENALTY, AUGMENTED = 5e-3, 1e-2
 QUICK = ("co01", "co02", "co09", "co18", "co32", "co35")
-# (multiplier tolerance, largest number of augmentations) of the references
+# (multiplier tolerance, largest number of augmentations) of the references, but for cases in which
+# FEBio does not converge with these: they ran as they are, and so do ours.
 TIGHT = (1e-4, 100)
 
 
@@ -70,13 +70,17 @@ def bodies(fields):
 
 
 def difference(fields, case):
-    """Relative L2 difference over all nodes; each body's mean displacement is taken away first."""
+    """Relative L2 difference over all nodes; each body's mean displacement is taken away first, but
+    where FEBio's bodies end without strain."""
     expected = reference(case, fields.node_map)
     error = fields.vector("displacement") - expected
+    whole = numpy.linalg.norm(error), numpy.linalg.norm(expected)
     part = bodies(fields)
     for body in numpy.unique(part):
         error[part == body] -= error[part == body].mean(axis=0)
         expected[part == body] -= expected[part == body].mean(axis=0)
+    if numpy.linalg.norm(expected) < 1e-9 * whole[1]:
+        return whole[0] / whole[1]
     return numpy.linalg.norm(error) / numpy.linalg.norm(expected)
 
 
@@ -106,7 +110,8 @@ class Suite(unittest.TestCase):
 
     def run_case(self, case, ranks=None):
         deck = imported(case, self.folder)
-        deck.write_text(tighten(deck.read_text(), *TIGHT))
+        if read_results()[case]["reference_from"] == "tight":
+            deck.write_text(tighten(deck.read_text(), *TIGHT))
         return scenes.run(deck, ranks=ranks, seconds=900, files=[self.folder / f"{case}.exo"])
 
     def test_displacements_are_febios(self):
@@ -121,9 +126,8 @@ class Suite(unittest.TestCase):
                       f"{results[case]['gold_newton_iterations']} | {s['augmentations']} | "
                       f"{s['cut_backs']} | {result.seconds:.1f}", flush=True)
                 augmented = "augmented_lagrangian" in result.deck_path.read_text()
-                allowed = AUGMENTED if augmented else PENALTY
-                if results[case]["reference_from"] == "default":
-                    allowed = DEFAULT
+                default = results[case]["reference_from"] == "default"
+                allowed = AUGMENTED if augmented or default else PENALTY
                 self.assertLess(value, allowed)
                 self.assertGreater(max(c["active_points"] for c in s["contact"].values()), 0)
 

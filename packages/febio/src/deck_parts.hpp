@@ -43,6 +43,13 @@ struct RigidBody {
   bool has_motion = false, has_load = false;
   Vec3 center = Vec3::zero();
 
+  /// Whether all it does is to prescribe displacements of nodes; the deck then has no body for it.
+  bool is_displacement() const {
+    for (const bool f : free)
+      if (f)
+        return false;
+    return domains.empty() && !turns();
+  }
   bool turns() const {
     for (std::size_t i = 3; i < 6; ++i)
       if (free[i] || motion[i] != 0.0)

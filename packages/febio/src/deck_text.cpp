@@ -129,6 +129,8 @@ private:
       out += "  " + name + ": " + map.text() + "\n";
     }
     for (const RigidBody& body : rigid_.bodies) {
+      if (body.is_displacement())
+        continue;
       const std::string name = names.make(body.materials[0], "rigid");
       std::string febio;
       for (const std::string& m : body.materials)

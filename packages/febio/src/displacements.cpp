@@ -141,6 +141,29 @@ std::string entry_text(const Entry& e, const std::string& set, DeckCurves& curve
   return map.text();
 }
 
+/// Nodes tied to a rigid body without elements that does not turn, one entry for each set.
+std::string tied_text(const RigidBody& body, DeckNames& names, DeckCurves& curves) {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  std::string out;
+  for (const std::string& set : body.sets) {
+    FlowMap map;
+    map.add("set", quoted(set));
+    std::vector<std::string> fixed;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (body.motion[i] == 0.0)
+        fixed.push_back(axes[i]);
+      else
+        map.add(axes[i], body.motion[i]);
+    if (!fixed.empty())
+      map.add("fix", list_text(fixed));
+    if (body.has_motion)
+      map.add("curve", curves.of(body.motion_curve));
+    out += "  " + names.make(set, "tied") + ": " + map.text() + "  # FEBio: tied to rigid body " +
+           body.materials[0] + "\n";
+  }
+  return out;
+}
+
 } // namespace
 
 std::string displacements_text(const Model& model, const RigidBodies& rigid, MeshTranslation& mesh,
@@ -156,6 +179,9 @@ std::string displacements_text(const Model& model, const RigidBodies& rigid, Mes
         others += (others.empty() ? "" : ", ") + febio;
     out += (others.empty() ? "" : "  # FEBio: " + others) + "\n";
   }
+  for (const RigidBody& body : rigid.bodies)
+    if (body.is_displacement())
+      out += tied_text(body, names, curves);
   return out.empty() ? "" : "displacements:\n" + out;
 }
 

@@ -171,7 +171,7 @@ private:
     return result;
   }
 
-  static void range(const Element& part, const std::string& word, std::vector<Global>& result) {
+  void range(const Element& part, const std::string& word, std::vector<Global>& result) const {
     Global numbers[3] = {0, 0, 1};
     int count = 0;
     const char* at = word.c_str();
@@ -187,9 +187,11 @@ private:
     }
     if (count == 1)
       numbers[1] = numbers[0];
-    const Global many = 1000000000;
-    if (numbers[2] < 1 || numbers[1] < numbers[0] || (numbers[1] - numbers[0]) / numbers[2] > many)
+    if (numbers[2] < 1 || numbers[1] < numbers[0])
       part.fail("expected a range FIRST:LAST:STEP that grows, got '" + word + "'");
+    const auto most = static_cast<Global>(node_line_.size() + element_line_.size());
+    if (numbers[0] < 0 || (numbers[1] - numbers[0]) / numbers[2] > most)
+      part.fail("the range '" + word + "' is longer than the mesh");
     for (Global n = numbers[0]; n <= numbers[1]; n += numbers[2])
       result.push_back(n);
   }

@@ -55,6 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
                "m.feb:24: face of surface 'low face' is no side of an element"},
         Broken{22, "<NodeSet name=\"bottom\">1:4:0</NodeSet>",
                "m.feb:22: <NodeSet>: expected a range FIRST:LAST:STEP that grows, got '1:4:0'"},
+        Broken{22, "<NodeSet name=\"bottom\">1:1000000000</NodeSet>",
+               "m.feb:22: <NodeSet>: the range '1:1000000000' is longer than the mesh"},
         Broken{31, "<bc name=\"hold\" node_set=\"botom\" type=\"zero displacement\">",
                "m.feb:31: there is no node set 'botom'; valid: all, bottom, top; did you mean "
                "'bottom'?"},

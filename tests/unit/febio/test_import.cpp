@@ -172,17 +172,32 @@ TEST(Import, RigidBodies) {
       "0.5, 1.5], curve: LC1, free: [x, y, rx, ry, rz], force: [7, 0, 0], load_curve: LC1}\n");
 }
 
+// A rigid body that has no elements and does not turn prescribes displacements, and nothing else.
 TEST(Import, NodesTiedToARigidBodyWithoutElements) {
-  const Scene scene =
-      scene_with({{33, "<bc name=\"press\" node_set=\"top\" type=\"rigid\"><rb>plate</rb></bc>"},
-                  {34, ""},
-                  {36, "<Rigid><rigid_bc name=\"f\" type=\"rigid_fixed\"><rb>plate</rb>"
-                       "<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof>"
-                       "<Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof></rigid_bc></Rigid>"}});
-  EXPECT_EQ(section(scene.deck, "bodies"), "bodies:\n"
-                                           "  lower: {blocks: [lower], material: soft_one}\n"
-                                           "  upper: {blocks: [upper], material: soft_one}\n"
-                                           "  plate:\n    node_sets: [top]\n    rigid: {}\n");
+  const auto scene = [](const std::string& free, const std::string& more) {
+    return scene_with(
+        {{33, "<bc name=\"press\" node_set=\"top\" type=\"rigid\"><rb>plate</rb></bc>"},
+         {34, ""},
+         {36, "<Rigid><rigid_bc name=\"f\" type=\"rigid_fixed\"><rb>plate</rb>"
+              "<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof>"
+              "<Rv_dof>1</Rv_dof><Rw_dof>" +
+                  free + "</Rw_dof></rigid_bc>" + more + "</Rigid>"}});
+  };
+  const std::string down = "<rigid_bc name=\"d\" type=\"rigid_displacement\"><rb>plate</rb>"
+                           "<dof>z</dof><value lc=\"1\">-0.2</value></rigid_bc>";
+  const std::string deck = scene("1", down).deck;
+  EXPECT_EQ(section(deck, "bodies"), "bodies:\n"
+                                     "  lower: {blocks: [lower], material: soft_one}\n"
+                                     "  upper: {blocks: [upper], material: soft_one}\n");
+  EXPECT_EQ(section(deck, "displacements"),
+            "displacements:\n"
+            "  hold: {set: bottom, fix: [x, y, z]}\n"
+            "  top: {set: top, z: -0.2, fix: [x, y], curve: LC1}  # FEBio: tied to rigid body "
+            "plate\n");
+  // One that turns stays a body.
+  const std::string turning = section(scene("0", "").deck, "bodies");
+  EXPECT_EQ(turning.substr(turning.find("  plate:")),
+            "  plate:\n    node_sets: [top]\n    rigid: {free: [rz]}\n");
 }
 
 TEST(Import, RigidMaterialsThatShareNodesAreOneBody) {
