@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.hpp"
+#include "import_command.hpp"
 #include "mesh_command.hpp"
 #include "run_command.hpp"
 #include "schema_command.hpp"
@@ -25,6 +26,7 @@ int run(int argc, char** argv, const abut::Comm& comm) {
   int status = converged;
   add_run_command(app, status);
   add_check_command(app);
+  add_import_command(app);
   add_mesh_command(app);
   add_schema_command(app);
   try {

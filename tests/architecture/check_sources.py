@@ -19,6 +19,7 @@ ALLOWED = {
     "solid": {"core", "fem", "mesh"},
     "assembly": {"core", "mesh"},
     "solver": {"core", "mesh", "assembly"},
+    "febio": {"core", "fem", "mesh"},
     "deck": {"core"},  # and everybody's options.hpp
 }
 CPP_SUFFIXES = {".hpp", ".cpp"}

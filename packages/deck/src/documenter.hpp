@@ -96,6 +96,11 @@ public:
     describe_fields();
     alternative_.clear();
   }
+  template <class F> void when(bool, const char* values, F describe_fields) {
+    alternative_ = values;
+    describe_fields();
+    alternative_.clear();
+  }
   void at_least_one(std::initializer_list<const char*> keys) {
     map_.at_least_one.assign(keys.begin(), keys.end());
   }
@@ -109,6 +114,7 @@ private:
   static const char* type_of(const std::string*) { return "text"; }
   static const char* type_of(const std::array<double, 3>*) { return "3 numbers"; }
   static const char* type_of(const std::vector<std::string>*) { return "list of texts"; }
+  static const char* type_of(const std::vector<double>*) { return "list of numbers"; }
   static const char* type_of(const solid::Amount*) { return "number or expression"; }
   static const char* type_of(const std::array<solid::Amount, 3>*) {
     return "3 numbers or expressions";

@@ -243,6 +243,14 @@ void Filler::read(const Value& value, const std::string& path, std::vector<std::
     read(item, path, list.emplace_back(), rule);
 }
 
+void Filler::read(const Value& value, const std::string& path, std::vector<double>& list,
+                  const Rule& rule) const {
+  if (value.kind != Value::Kind::list || value.items.empty())
+    fail(value.where, path, "expected a list of one or more numbers, got " + value.description());
+  for (const Value& item : value.items)
+    read(item, path, list.emplace_back(), rule);
+}
+
 void Filler::read(const Value& value, const std::string& path, solid::Amount& amount,
                   const Rule& rule) const {
   double number = 0.0;

@@ -109,6 +109,11 @@ public:
     chosen_.push_back(key);
     describe_fields();
   }
+  /// Fields that exist only when `holds`; `values` says when in words.
+  template <class F> void when(bool holds, const char*, F describe_fields) {
+    if (holds)
+      describe_fields();
+  }
   void at_least_one(std::initializer_list<const char*> keys);
 
   /// A condition beyond type and range.
@@ -139,6 +144,7 @@ private:
   void read(const Value&, const std::string& path, std::string&, const Rule&) const;
   void read(const Value&, const std::string& path, std::array<double, 3>&, const Rule&) const;
   void read(const Value&, const std::string& path, std::vector<std::string>&, const Rule&) const;
+  void read(const Value&, const std::string& path, std::vector<double>&, const Rule&) const;
   void read(const Value&, const std::string& path, solid::Amount&, const Rule&) const;
   void read(const Value&, const std::string& path, std::array<solid::Amount, 3>&,
             const Rule&) const;

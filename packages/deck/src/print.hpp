@@ -40,6 +40,9 @@ template <class List> std::string printed_list(const List& list) {
 template <class T, std::size_t n> std::string printed(const std::array<T, n>& x) {
   return printed_list(x);
 }
+inline std::string printed(const std::vector<double>& x) {
+  return printed_list(x);
+}
 inline std::string printed(const std::vector<std::string>& x) {
   return printed_list(x);
 }

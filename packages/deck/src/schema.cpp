@@ -174,6 +174,8 @@ Json json_scalar(const std::string& type) {
         type == "3 numbers" ? json_scalar("number") : json_scalar("number or expression");
     return {{"type", "array"}, {"items", item}, {"minItems", 3}, {"maxItems", 3}};
   }
+  if (type == "list of numbers")
+    return {{"type", "array"}, {"items", json_scalar("number")}, {"minItems", 1}};
   return {{"type", "array"}, {"items", {{"type", {"string", "number"}}}}, {"minItems", 1}};
 }
 

@@ -78,6 +78,10 @@ public:
     if (selected)
       describe_fields();
   }
+  template <class F> void when(bool holds, const char*, F describe_fields) {
+    if (holds)
+      describe_fields();
+  }
   void at_least_one(std::initializer_list<const char*>) {}
   void check(const char*, bool, const std::string&) const {}
 

@@ -30,14 +30,58 @@ void solve(double c[6][6], double b[6]) {
   }
 }
 
+bool is_valid(const MaterialOptions& o) {
+  if (!(o.shear_modulus() > 0.0))
+    return false;
+  if (o.has_young() && !(o.young > 0.0 && o.poisson > -1.0 && o.poisson < 0.5))
+    return false;
+  if (o.model == MaterialModel::holmes_mow && !(o.beta > 0.0))
+    return false;
+  if (o.is_uncoupled() && !(o.bulk > 0.0))
+    return false;
+  if (!o.has_ogden_terms())
+    return true;
+  if (o.exponents.size() != o.coefficients.size() || o.exponents.empty() ||
+      o.exponents.size() > MaterialOptions::max_ogden_terms)
+    return false;
+  for (const double m : o.exponents)
+    if (m == 0.0)
+      return false;
+  return o.model == MaterialModel::ogden || o.lambda >= 0.0;
+}
+
+OgdenSum ogden_sum(const MaterialOptions& o) {
+  OgdenSum sum;
+  sum.terms = static_cast<int>(o.exponents.size());
+  for (std::size_t k = 0; k < o.exponents.size(); ++k) {
+    sum.c[k] = o.coefficients[k];
+    sum.m[k] = o.exponents[k];
+  }
+  return sum;
+}
+
 } // namespace
 
 Material make_material(const MaterialOptions& options) {
-  const double e = options.young, nu = options.poisson;
-  ABUT_REQUIRE(e > 0.0 && nu > -1.0 && nu < 0.5, "material '" + options.name + "' is not valid");
-  const double shear = 0.5 * e / (1.0 + nu), lambda = e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
-  if (options.model == MaterialModel::linear_elastic)
+  ABUT_REQUIRE(is_valid(options), "material '" + options.name + "' is not valid");
+  const double shear = options.shear_modulus(), nu = options.poisson;
+  const double lambda = 2.0 * shear * nu / (1.0 - 2.0 * nu);
+  switch (options.model) {
+  case MaterialModel::linear_elastic:
     return LinearElastic{shear, lambda};
+  case MaterialModel::saint_venant_kirchhoff:
+    return SaintVenantKirchhoff{shear, lambda};
+  case MaterialModel::holmes_mow:
+    return HolmesMow{shear, lambda, options.beta};
+  case MaterialModel::mooney_rivlin:
+    return MooneyRivlin(options.bulk, options.c1, options.c2);
+  case MaterialModel::ogden:
+    return Ogden(options.bulk, ogden_sum(options));
+  case MaterialModel::ogden_unconstrained:
+    return OgdenUnconstrained{ogden_sum(options), options.lambda};
+  case MaterialModel::neo_hookean:
+    break;
+  }
   return NeoHookean{shear, lambda};
 }
 

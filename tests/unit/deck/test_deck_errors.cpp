@@ -207,6 +207,30 @@ TEST(DeckErrors, PoissonExplainsItsLimits) {
   EXPECT_EQ(error_of(deck_with(3, "  steel: {young: 1, poisson: 0.499}")), "no error");
 }
 
+TEST(DeckErrors, MaterialsHaveTheKeysOfTheirModel) {
+  const auto error = [](const std::string& keys) {
+    return error_of(deck_with(3, "  steel: {" + keys + "}"));
+  };
+  const std::string at = "d.yaml:3: materials.steel";
+  EXPECT_EQ(error("model: mooney_rivlin, c1: 1, c2: -0.2, bulk: 1000"), "no error");
+  EXPECT_EQ(error("model: mooney_rivlin, c1: 1, c2: -1, bulk: 1000"),
+            at + ".c1: expected c1 + c2 > 0, which is half the shear modulus");
+  EXPECT_EQ(error("model: mooney_rivlin, c1: 1"),
+            at + ": missing key 'bulk' (K of K/2 (ln J)^2, a thousand times G for rubber)");
+  EXPECT_EQ(error("model: mooney_rivlin, c1: 1, bulk: 1000, young: 1"),
+            at + ".young: unknown key; valid: model, c1, c2, bulk");
+  EXPECT_EQ(error("young: 1, poisson: 0.3, c1: 1"),
+            at + ".c1: unknown key; valid: model, young, poisson");
+  EXPECT_EQ(error("model: ogden, coefficients: [1, 2], exponents: [2], bulk: 9"),
+            at + ".exponents: expected as many as coefficients, which are 2");
+  EXPECT_EQ(error("model: ogden, coefficients: [1, 2], exponents: [2, 0], bulk: 9"),
+            at + ".exponents: an exponent must not be zero");
+  EXPECT_EQ(error("model: ogden_unconstrained, coefficients: [-1], exponents: [2], lambda: 1"),
+            at + ".coefficients: expected a sum > 0, which is twice the shear modulus");
+  EXPECT_EQ(error("model: ogden, coefficients: 3, exponents: [2], bulk: 9"),
+            at + ".coefficients: expected a list of one or more numbers, got '3'");
+}
+
 TEST(DeckErrors, YoungIsPositive) {
   for (const char* bad : {"0", "-5", "x"})
     EXPECT_EQ(error_of(deck_with(3, std::string(young) + bad + "}")),

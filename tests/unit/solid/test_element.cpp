@@ -4,6 +4,7 @@
 #include "abut/solid/element_kernel.hpp"
 #include "abut/solid/face_kernel.hpp"
 #include "small_mesh.hpp"
+#include "some_laws.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ public:
   static constexpr int n = ReferenceCell<type>::nodes;
   using Nodal = double[3][n];
 
-  static Law law() { return {0.4, 0.7}; }
+  static Law law() { return some_law<Law>(); }
 
   /// Straight edges between moved corners, then every node moved by up to `curved`.
   void set_x(double curved) {
@@ -66,8 +67,11 @@ using Cases =
     ::testing::Types<Case<CellType::hex8, N>, Case<CellType::hex8, L>, Case<CellType::hex20, N>,
                      Case<CellType::hex20, L>, Case<CellType::hex27, N>, Case<CellType::hex27, L>,
                      Case<CellType::tet4, N>, Case<CellType::tet4, L>, Case<CellType::tet10, N>,
-                     Case<CellType::tet10, L>, Case<CellType::wedge6, N>,
-                     Case<CellType::wedge6, L>>;
+                     Case<CellType::tet10, L>, Case<CellType::wedge6, N>, Case<CellType::wedge6, L>,
+                     Case<CellType::hex8, SaintVenantKirchhoff>, Case<CellType::hex8, HolmesMow>,
+                     Case<CellType::hex8, MooneyRivlin>, Case<CellType::tet10, MooneyRivlin>,
+                     Case<CellType::hex8, Ogden>, Case<CellType::wedge6, Ogden>,
+                     Case<CellType::hex8, OgdenUnconstrained>>;
 TYPED_TEST_SUITE(Element, Cases);
 
 double largest(const std::vector<double>& v) {
@@ -232,6 +236,33 @@ TYPED_TEST(Element, InvertedElementIsReported) {
   EXPECT_NEAR(
       element_tangent<TestFixture::type>(this->cell, this->law(), this->x, this->u, k.data()), -1.0,
       1e-13);
+}
+
+// An element's mean J decides: pushing one point's volume up and another's down by the same amount
+// costs no volumetric energy, however large the bulk modulus.
+TEST(MeanDilatation, OnlyTheMeanVolumeChangeCounts) {
+  const auto& cell = reference_cell<CellType::hex8>();
+  double x[3][8], u[3][8], stress[6], energy;
+  for (int a = 0; a < 8; ++a) {
+    double xi[3];
+    fem::CellShape<CellType::hex8>::node(a, xi);
+    for (int i = 0; i < 3; ++i)
+      x[i][a] = xi[i];
+    for (int i = 0; i < 3; ++i)
+      u[i][a] = i == 0 ? 0.01 * xi[0] * xi[1] : 0.0; // bending: J - 1 = 0.01 xi[1]
+  }
+  const MooneyRivlin soft(1.0, 0.3, 0.2), hard(1e6, 0.3, 0.2);
+  element_averages<CellType::hex8>(cell, soft, x, u, stress, energy);
+  double with_hard;
+  element_averages<CellType::hex8>(cell, hard, x, u, stress, with_hard);
+  EXPECT_GT(energy, 1e-5);
+  EXPECT_NEAR(with_hard, energy, 1e-15);
+  for (int a = 0; a < 8; ++a)
+    u[0][a] += 0.01 * x[0][a]; // J - 1 = 0.01 in the mean
+  element_averages<CellType::hex8>(cell, hard, x, u, stress, with_hard);
+  const double log_j = std::log(1.01);
+  EXPECT_NEAR(with_hard, 8.0 * 0.5e6 * log_j * log_j, 1e-3);
+  EXPECT_NEAR(stress[0] + stress[1] + stress[2], 3.0 * 1e6 * log_j / 1.01, 1e-8);
 }
 
 } // namespace

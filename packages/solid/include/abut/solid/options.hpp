@@ -37,15 +37,50 @@ struct Amount {
 };
 
 enum class MaterialModel {
-  neo_hookean,    ///< W = G/2 (I1-3) - G ln J + lambda/2 (ln J)^2, finite strain
-  linear_elastic, ///< small strain: sigma = C : sym grad u on the reference configuration
+  neo_hookean,            ///< W = G/2 (I1-3) - G ln J + lambda/2 (ln J)^2, finite strain
+  linear_elastic,         ///< small strain: sigma = C : sym grad u on the reference configuration
+  saint_venant_kirchhoff, ///< second Piola-Kirchhoff stress linear in Green's strain
+  holmes_mow,             ///< stiffens exponentially
+  mooney_rivlin,          ///< uncoupled: c1 (I1* - 3) + c2 (I2* - 3) + K/2 (ln J)^2
+  ogden,                  ///< uncoupled: powers of the isochoric principal stretches
+  ogden_unconstrained,    ///< powers of the principal stretches, compressible
 };
 
 struct MaterialOptions {
+  static constexpr std::size_t max_ogden_terms = 6;
+
   std::string name;
   MaterialModel model = MaterialModel::neo_hookean;
-  double young = 0.0;   ///< [pressure]
-  double poisson = 0.0; ///< -1 < nu < 1/2
+  double young = 0.0;               ///< [pressure]
+  double poisson = 0.0;             ///< -1 < nu < 1/2
+  double beta = 0.0;                ///< of holmes_mow, > 0
+  double c1 = 0.0, c2 = 0.0;        ///< of mooney_rivlin [pressure]
+  double bulk = 0.0;                ///< K of uncoupled models [pressure]
+  double lambda = 0.0;              ///< of ogden_unconstrained [pressure]
+  std::vector<double> coefficients; ///< c of Ogden's terms [pressure]
+  std::vector<double> exponents;    ///< m of Ogden's terms, as many, not zero
+
+  bool has_young() const {
+    return model == MaterialModel::neo_hookean || model == MaterialModel::linear_elastic ||
+           model == MaterialModel::saint_venant_kirchhoff || model == MaterialModel::holmes_mow;
+  }
+  bool is_uncoupled() const {
+    return model == MaterialModel::mooney_rivlin || model == MaterialModel::ogden;
+  }
+  bool has_ogden_terms() const {
+    return model == MaterialModel::ogden || model == MaterialModel::ogden_unconstrained;
+  }
+  /// G at small strain; > 0 for a valid material [pressure].
+  double shear_modulus() const {
+    if (has_young())
+      return 0.5 * young / (1.0 + poisson);
+    if (model == MaterialModel::mooney_rivlin)
+      return 2.0 * (c1 + c2);
+    double sum = 0.0;
+    for (const double c : coefficients)
+      sum += c;
+    return 0.5 * sum;
+  }
 };
 
 /// Motion of a rigid body: displacement of its center and rotation vector about it, each times a

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/tensor.hpp"
+#include "abut/core/types.hpp"
+#include "abut/fem/cell.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A FEBio model (specification 4.0) as plain data, in the words and units of its file. `line` is
+/// where an item stands in the file.
+namespace abut::febio {
+
+/// A number, times a load curve where one is named.
+struct Value {
+  double number = 0.0;
+  int curve = 0; ///< id of a load controller; 0: none, the number holds at all times
+  int line = 0;
+
+  bool is_zero() const { return number == 0.0; }
+  friend bool operator==(const Value& a, const Value& b) {
+    return a.number == b.number && a.curve == b.curve;
+  }
+};
+
+struct Material {
+  std::string name, type;
+  int line = 0;
+  std::map<std::string, double> numbers; ///< E, v, c1, ... as named in the file, defaults put in
+  std::optional<Vec3> center_of_mass;    ///< of a rigid body
+
+  bool is_rigid() const { return type == "rigid body"; }
+};
+
+/// An <Elements> section: a domain of one material.
+struct Domain {
+  std::string name;
+  int line = 0;
+  fem::CellType cell = fem::CellType::hex8;
+  std::vector<Global> id;    ///< (elements)
+  std::vector<int> lines;    ///< (elements)
+  std::vector<Global> nodes; ///< (elements, nodes per cell) node ids in the order of Exodus II
+  std::string material;      ///< from MeshDomains
+};
+
+struct NodeSet {
+  std::string name;
+  int line = 0;
+  std::vector<Global> nodes; ///< ids
+};
+
+struct Facet {
+  int line = 0;
+  std::vector<Global> nodes; ///< ids of the corners, then of the others
+  std::size_t corners = 0;
+};
+
+struct Surface {
+  std::string name;
+  int line = 0;
+  std::vector<Facet> facets;
+};
+
+struct SurfacePair {
+  std::string name, primary, secondary;
+  int line = 0;
+};
+
+struct ElementSet {
+  std::string name;
+  std::vector<Global> elements; ///< ids
+};
+
+struct Mesh {
+  int line = 0;
+  std::vector<Global> node_id;
+  std::vector<double> x; ///< (nodes, 3)
+  std::vector<Domain> domains;
+  std::vector<NodeSet> node_sets;
+  std::vector<Surface> surfaces;
+  std::vector<SurfacePair> pairs;
+  std::vector<ElementSet> element_sets;
+};
+
+/// Zero or prescribed displacement of a node set.
+struct Displacement {
+  std::string name, place; ///< place: a node set, "@surface:NAME", ...
+  int line = 0;
+  std::array<bool, 3> components{};
+  Value value;
+};
+
+/// Nodes that move with a rigid body.
+struct RigidTie {
+  std::string name, place, body; ///< body: a material's name
+  int line = 0;
+};
+
+/// Components in the order x, y, z, rotations about them.
+struct RigidCondition {
+  std::string name, body;
+  int line = 0;
+  std::array<bool, 6> components{};
+  Value value;        ///< zero for fixed ones
+  bool fixed = false; ///< a prescribed one wins over it
+};
+
+struct RigidLoad {
+  std::string name, body;
+  int line = 0;
+  int component = 0; ///< as above: force, then moment
+  Value value;
+};
+
+struct Load {
+  enum class Kind { pressure, traction, nodal, body_force };
+  Kind kind = Kind::pressure;
+  std::string name, place; ///< surface, node set; nothing for a body force
+  int line = 0;
+  std::array<Value, 3> vector{}; ///< pressure in the first
+};
+
+struct Contact {
+  std::string name, type, pair;
+  int line = 0;
+  std::map<std::string, Value> values; ///< penalty, tolerance, ... with FEBio's defaults put in
+
+  double number(const char* key) const { return values.at(key).number; }
+  bool flag(const char* key) const { return number(key) != 0.0; }
+};
+
+enum class Interpolation { linear, step, smooth };
+enum class Extension { constant, extrapolate, repeat, repeat_offset };
+
+struct LoadCurve {
+  std::string name;
+  int line = 0;
+  Interpolation interpolation = Interpolation::linear;
+  Extension extension = Extension::constant;
+  std::vector<std::array<double, 2>> points; ///< (t, value)
+
+  /// Value at t as FEBio has it: step takes the value of the next point, smooth blends the
+  /// parabolas through neighbouring points.
+  double operator()(double t) const;
+};
+
+/// Points (t, value), t growing, of a load curve from 0 to end: linear between them and constant
+/// beyond. Jumps take 1e-9 of the time, parabolas sixteen pieces.
+std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double end);
+
+struct Control {
+  int line = 0;
+  int steps = 10;
+  double step_size = 0.1;
+  bool adaptive = false; ///< has a time stepper
+  double smallest_step = 0.0;
+  int must_points_curve = 0; ///< id; its points must be hit
+  bool given = false;
+};
+
+struct Model {
+  std::string file;
+  Mesh mesh;
+  std::vector<Material> materials;
+  std::vector<Displacement> displacements;
+  std::vector<RigidTie> ties;
+  std::vector<RigidCondition> rigid_conditions;
+  std::vector<RigidLoad> rigid_loads;
+  std::vector<Load> loads;
+  std::vector<Contact> contacts;
+  std::map<int, LoadCurve> curves; ///< by id
+  Control control;
+
+  /// "FILE:LINE" to begin a message.
+  std::string where(int line) const { return file + ":" + std::to_string(line); }
+  const Material* material(const std::string& name) const;
+};
+
+} // namespace abut::febio

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck_text.hpp"
+
+#include "abut/core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::febio {
+
+namespace {
+
+/// Steps of one size that meet all points that must be met.
+int step_count(const Model& model, double end) {
+  constexpr int finest = 20;
+  const Control& control = model.control;
+  if (control.must_points_curve == 0)
+    return control.steps;
+  const auto curve = model.curves.find(control.must_points_curve);
+  if (curve == model.curves.end())
+    throw InputError(model.where(control.line) + ": there is no load controller " +
+                     std::to_string(control.must_points_curve) + " for dtmax");
+  for (int finer = 1; finer <= finest; ++finer) {
+    const int steps = finer * control.steps;
+    const auto meets = [&](const std::array<double, 2>& p) {
+      const double at = p[0] / end * steps;
+      return p[0] <= 0.0 || p[0] >= end || std::abs(at - std::round(at)) < 1e-6;
+    };
+    if (std::all_of(curve->second.points.begin(), curve->second.points.end(), meets))
+      return steps;
+  }
+  return control.steps;
+}
+
+std::string comment(const std::string& name, const std::string& febio, const std::string& more) {
+  std::string text = name == febio || febio.empty() ? "" : febio;
+  if (!more.empty())
+    text += (text.empty() ? "" : ", ") + more;
+  return text.empty() ? "" : "  # FEBio: " + text;
+}
+
+class DeckWriter {
+public:
+  DeckWriter(const Model& model, MeshTranslation& mesh, Report& report)
+      : model_(model), mesh_(mesh), report_(report),
+        end_(model.control.steps * model.control.step_size), curves_(model, end_),
+        rigid_(rigid_bodies(model, mesh, report)) {}
+
+  std::string text(const std::string& name) {
+    const std::string file = model_.file.substr(model_.file.find_last_of('/') + 1);
+    std::string out = "# From FEBio's " + file + "\ntitle: " + quoted(name) +
+                      "\nmesh: {file: " + quoted(name + ".exo") + "}\n";
+    out += materials();
+    out += bodies();
+    out += displacements_text(model_, rigid_, mesh_, curves_, report_);
+    const std::string loads_part = loads();
+    const std::string contact_part = contact_text(model_, mesh_, curves_, report_);
+    out += loads_part + curves_.text() + contact_part;
+    out += "time: {end: " + number_text(end_) +
+           ", steps: " + std::to_string(step_count(model_, end_)) + "}\n";
+    return out + "output: {name: " + quoted(name + "_results") + "}\n";
+  }
+
+private:
+  static std::string law(const Material& m) {
+    FlowMap map;
+    const auto& x = m.numbers;
+    if (m.type == "Mooney-Rivlin") {
+      map.add("model", "mooney_rivlin");
+      map.add("c1", x.at("c1"));
+      if (x.at("c2") != 0.0)
+        map.add("c2", x.at("c2"));
+      map.add("bulk", x.at("k"));
+    } else if (m.type == "Ogden" || m.type == "Ogden unconstrained") {
+      map.add("model", m.type == "Ogden" ? "ogden" : "ogden_unconstrained");
+      std::vector<std::string> c, power;
+      for (const char k : {'1', '2', '3', '4', '5', '6'})
+        if (x.at(std::string("c") + k) != 0.0) {
+          c.push_back(number_text(x.at(std::string("c") + k)));
+          power.push_back(number_text(x.at(std::string("m") + k)));
+        }
+      map.add("coefficients", list_text(c));
+      map.add("exponents", list_text(power));
+      if (m.type == "Ogden")
+        map.add("bulk", x.at("k"));
+      else
+        map.add("lambda", x.at("cp"));
+    } else {
+      if (m.type == "Holmes-Mow")
+        map.add("model", "holmes_mow");
+      else if (m.type != "neo-Hookean")
+        map.add("model", "saint_venant_kirchhoff");
+      map.add("young", x.at("E"));
+      map.add("poisson", x.at("v"));
+      if (m.type == "Holmes-Mow")
+        map.add("beta", x.at("beta"));
+    }
+    return map.text();
+  }
+
+  std::string materials() {
+    std::string out;
+    for (const Material& m : model_.materials) {
+      const bool used = std::any_of(model_.mesh.domains.begin(), model_.mesh.domains.end(),
+                                    [&](const Domain& d) { return d.material == m.name; });
+      if (m.is_rigid())
+        continue;
+      if (!used) {
+        report_.add({m.line, "Material/material '" + m.name + "'", Fate::ignored,
+                     "no <SolidDomain> is made of it"});
+        continue;
+      }
+      const std::string name = material_name_[m.name] = material_names_.make(m.name, "material");
+      out += "  " + name + ": " + law(m) + comment(name, m.name, m.type) + "\n";
+    }
+    return out.empty() ? "" : "materials:\n" + out;
+  }
+
+  std::string bodies() {
+    std::string out;
+    DeckNames names;
+    for (const Domain& d : model_.mesh.domains) {
+      if (model_.material(d.material)->is_rigid())
+        continue;
+      const std::string name = names.make(d.name, "body");
+      FlowMap map;
+      map.add("blocks", list_text({quoted(d.name)}));
+      map.add("material", material_name_.at(d.material));
+      out += "  " + name + ": " + map.text() + "\n";
+    }
+    for (const RigidBody& body : rigid_.bodies) {
+      if (body.is_displacement())
+        continue;
+      const std::string name = names.make(body.materials[0], "rigid");
+      std::string febio;
+      for (const std::string& m : body.materials)
+        febio += (febio.empty() ? "" : " and ") + m;
+      out += "  " + name + ":" + comment(name, febio, "") + "\n" + members(body) +
+             "    rigid: " + motion(body) + "\n";
+    }
+    return "bodies:\n" + out;
+  }
+
+  std::string members(const RigidBody& body) const {
+    std::vector<std::string> blocks, sets;
+    for (const std::size_t d : body.domains)
+      blocks.push_back(quoted(model_.mesh.domains[d].name));
+    for (const std::string& set : body.sets)
+      sets.push_back(quoted(set));
+    return (blocks.empty() ? "" : "    blocks: " + list_text(blocks) + "\n") +
+           (sets.empty() ? "" : "    node_sets: " + list_text(sets) + "\n");
+  }
+
+  std::string motion(const RigidBody& body) {
+    FlowMap map;
+    const auto part = [](const std::array<double, 6>& a, std::size_t first) {
+      return std::array<double, 3>{a[first], a[first + 1], a[first + 2]};
+    };
+    const auto add = [&](const char* key, const std::array<double, 3>& v) {
+      if (v != std::array<double, 3>{})
+        map.add(key, vector_text(v));
+    };
+    add("displacement", part(body.motion, 0));
+    add("rotation", part(body.motion, 3));
+    add("center", {body.center[0], body.center[1], body.center[2]});
+    if (body.has_motion)
+      map.add("curve", curves_.of(body.motion_curve));
+    constexpr const char* words[] = {"x", "y", "z", "rx", "ry", "rz"};
+    std::vector<std::string> free;
+    for (std::size_t i = 0; i < 6; ++i)
+      if (body.free[i])
+        free.push_back(words[i]);
+    if (!free.empty())
+      map.add("free", list_text(free));
+    add("force", part(body.load, 0));
+    add("moment", part(body.load, 3));
+    if (body.has_load)
+      map.add("load_curve", curves_.of(body.load_curve));
+    return map.text();
+  }
+
+  /// Entries of one load: components that follow one curve stand together.
+  void add_load(const Load& l, const std::string& name, const char* key, double factor,
+                const std::string& place_key, const std::string& place) {
+    std::map<int, std::array<double, 3>> parts;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!l.vector[i].is_zero())
+        parts[l.vector[i].curve][i] = factor * l.vector[i].number;
+    for (const auto& [curve, vector] : parts) {
+      FlowMap map;
+      map.add(key, vector_text(vector));
+      map.add(place_key, quoted(place));
+      map.add("curve", curves_.of({1.0, curve, l.line}));
+      const std::string unique = load_names_.make(name, "load");
+      loads_ += "  " + unique + ": " + map.text() + comment(unique, l.name, "") + "\n";
+    }
+  }
+
+  void require_outward(const Load& l) {
+    if (!mesh_.points_outwards(l.place))
+      report_.add({l.line, "Loads/surface_load '" + l.name + "'", Fate::refused,
+                   "the faces of surface '" + l.place + "' point into their bodies"});
+  }
+
+  std::string loads() {
+    for (const Load& l : model_.loads) {
+      switch (l.kind) {
+      case Load::Kind::pressure: {
+        require_outward(l);
+        FlowMap map;
+        map.add("pressure", l.vector[0].number);
+        map.add("side_set", quoted(l.place));
+        map.add("curve", curves_.of(l.vector[0]));
+        const std::string name = load_names_.make(l.name, "pressure");
+        loads_ += "  " + name + ": " + map.text() + comment(name, l.name, "") + "\n";
+        break;
+      }
+      case Load::Kind::traction:
+        add_load(l, l.name.empty() ? "traction" : l.name, "traction", 1.0, "side_set", l.place);
+        break;
+      case Load::Kind::nodal:
+        add_load(l, l.name.empty() ? "force" : l.name, "force", 1.0, "node_set", node_set(l));
+        break;
+      case Load::Kind::body_force:
+        for (const Domain& d : model_.mesh.domains)
+          if (!model_.material(d.material)->is_rigid())
+            add_load(l, (l.name.empty() ? "weight" : l.name) + "_of_" + d.name, "body_force",
+                     -model_.material(d.material)->numbers.at("density"), "block", d.name);
+        break;
+      }
+    }
+    return loads_.empty() ? "" : "loads:\n" + loads_;
+  }
+
+  /// A node set that is not a side set.
+  std::string node_set(const Load& l) {
+    const std::string name = mesh_.set_of(mesh_.nodes_of(l.place, l.line), l.place);
+    if (!mesh_.data().node_sets.count(name))
+      throw InputError(model_.where(l.line) + ": a nodal load needs a node set, not '" + l.place +
+                       "'");
+    return name;
+  }
+
+  const Model& model_;
+  MeshTranslation& mesh_;
+  Report& report_;
+  double end_;
+  DeckCurves curves_;
+  RigidBodies rigid_;
+  DeckNames material_names_, load_names_;
+  std::map<std::string, std::string> material_name_;
+  std::string loads_;
+};
+
+} // namespace
+
+std::string deck_text(const Model& model, const std::string& name, MeshTranslation& mesh,
+                      Report& report) {
+  return DeckWriter(model, mesh, report).text(name);
+}
+
+} // namespace abut::febio

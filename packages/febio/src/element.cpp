@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "element.hpp"
+
+#include "abut/core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace abut::febio {
+
+namespace {
+
+const char* const white = " \t\r\n";
+
+std::string trimmed(const std::string& s) {
+  const std::size_t first = s.find_first_not_of(white);
+  if (first == std::string::npos)
+    return "";
+  return s.substr(first, s.find_last_not_of(white) - first + 1);
+}
+
+/// Whether the bytes are valid UTF-8, as far as sequences have their lengths.
+bool is_utf8(const std::string& s) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(s[i]);
+    const int more = c < 0x80 ? 0 : c >= 0xf0 ? 3 : c >= 0xe0 ? 2 : c >= 0xc2 ? 1 : -1;
+    if (more < 0 || i + std::size_t(more) >= s.size() + (more == 0))
+      return false;
+    for (int k = 0; k < more; ++k)
+      if ((static_cast<unsigned char>(s[++i]) & 0xc0) != 0x80)
+        return false;
+  }
+  return true;
+}
+
+std::string from_latin1(const std::string& s) {
+  std::string out;
+  for (const char byte : s) {
+    const unsigned char c = static_cast<unsigned char>(byte);
+    if (c < 0x80) {
+      out += byte;
+    } else {
+      out += static_cast<char>(0xc0 | (c >> 6));
+      out += static_cast<char>(0x80 | (c & 0x3f));
+    }
+  }
+  return out;
+}
+
+bool parse_double(const std::string& s, double& x) {
+  char* end = nullptr;
+  x = std::strtod(s.c_str(), &end);
+  return !s.empty() && end == s.c_str() + s.size() && std::isfinite(x) &&
+         s.find_first_of("xX") == std::string::npos;
+}
+
+bool parse_integer(const std::string& s, Global& n) {
+  char* end = nullptr;
+  errno = 0;
+  n = std::strtoll(s.c_str(), &end, 10);
+  return !s.empty() && end == s.c_str() + s.size() && errno == 0;
+}
+
+/// Parts between commas, or between white space where there are no commas.
+std::vector<std::string> split(const std::string& s) {
+  const char* separators = s.find(',') == std::string::npos ? " \t\r\n" : ",";
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= s.size();) {
+    const std::size_t end = std::min(s.find_first_of(separators, at), s.size());
+    const std::string part = trimmed(s.substr(at, end - at));
+    if (!part.empty() || separators[0] == ',')
+      parts.push_back(part);
+    at = end + 1;
+  }
+  return parts;
+}
+
+} // namespace
+
+Document::Document(const std::string& text, std::string file) : file_(std::move(file)) {
+  const std::string utf8 = is_utf8(text) ? text : from_latin1(text);
+  line_starts_.push_back(0);
+  for (std::size_t i = 0; i < utf8.size(); ++i)
+    if (utf8[i] == '\n')
+      line_starts_.push_back(i + 1);
+  const pugi::xml_parse_result result =
+      xml_.load_buffer(utf8.data(), utf8.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!result) {
+    const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(),
+                                        static_cast<std::size_t>(result.offset));
+    throw InputError(file_ + ":" + std::to_string(after - line_starts_.begin()) +
+                     ": not a complete XML file: " + result.description());
+  }
+}
+
+int Document::line(pugi::xml_node node) const {
+  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(),
+                                      static_cast<std::size_t>(node.offset_debug()));
+  return static_cast<int>(after - line_starts_.begin());
+}
+
+Element Document::root(const char* name) {
+  const pugi::xml_node node = xml_.document_element();
+  if (std::strcmp(node.name(), name) != 0)
+    throw InputError(file_ + ":" + std::to_string(line(node)) + ": expected the root element <" +
+                     name + ">, got <" + node.name() + ">");
+  return {*this, node};
+}
+
+Report Document::report() const {
+  Report report;
+  const pugi::xml_node root = xml_.document_element();
+  const auto mark = marks_.find(root.hash_value());
+  add_attributes(root, mark->second, root.name(), report);
+  for (const pugi::xml_node child : root.children())
+    if (child.type() == pugi::node_element)
+      collect(child, child.name(), report);
+  return report;
+}
+
+void Document::add_unknown(pugi::xml_node node, const Mark& parent, const std::string& path,
+                           Report& report) const {
+  const auto& known = parent.children;
+  const bool twice = std::find(known.begin(), known.end(), node.name()) != known.end();
+  report.add({line(node), path, Fate::refused,
+              twice ? "given twice"
+                    : "not supported here; " +
+                          nearest_word_hint(node.name(), known.data(), known.size())});
+}
+
+void Document::add_attributes(pugi::xml_node node, const Mark& mark, const std::string& path,
+                              Report& report) const {
+  for (const pugi::xml_attribute a : node.attributes())
+    if (std::find(mark.attributes.begin(), mark.attributes.end(), a.name()) ==
+        mark.attributes.end())
+      report.add({line(node), path, Fate::refused,
+                  std::string("attribute '") + a.name() + "' is not supported here; " +
+                      nearest_word_hint(a.name(), mark.attributes.data(), mark.attributes.size())});
+}
+
+void Document::collect(pugi::xml_node node, const std::string& path, Report& report) const {
+  const auto found = marks_.find(node.hash_value());
+  if (found == marks_.end() || !found->second.taken) {
+    const auto parent = marks_.find(node.parent().hash_value());
+    add_unknown(node, parent == marks_.end() ? Mark{} : parent->second, path, report);
+    return;
+  }
+  const Mark& mark = found->second;
+  if (mark.fate == Fate::used)
+    add_attributes(node, mark, path, report);
+  if (mark.bulk)
+    return;
+  const char* name = node.attribute("name").value();
+  report.add(
+      {line(node), path + (*name ? " '" + std::string(name) + "'" : ""), mark.fate, mark.note});
+  if (mark.fate != Fate::used)
+    return;
+  for (const pugi::xml_node child : node.children())
+    if (child.type() == pugi::node_element)
+      collect(child, path + "/" + child.name(), report);
+}
+
+Element::Element(Document& document, pugi::xml_node node) : document_(&document), node_(node) {
+  document.mark(node).taken = true;
+}
+
+void Element::fail(const std::string& message) const {
+  throw InputError(document_->file() + ":" + std::to_string(line()) + ": <" + name() +
+                   ">: " + message);
+}
+
+std::optional<Element> Element::child(const char* name) {
+  document_->mark(node_).children.push_back(name);
+  const pugi::xml_node node = node_.child(name);
+  if (!node)
+    return {};
+  return Element(*document_, node);
+}
+
+Element Element::required_child(const char* name) {
+  auto found = child(name);
+  if (!found)
+    fail(std::string("expected an element <") + name + "> in it");
+  return *found;
+}
+
+std::vector<Element> Element::children(const char* name) {
+  document_->mark(node_).children.push_back(name);
+  std::vector<Element> result;
+  for (const pugi::xml_node node : node_.children(name))
+    result.emplace_back(*document_, node);
+  return result;
+}
+
+std::vector<Element> Element::children() {
+  std::vector<Element> result;
+  for (const pugi::xml_node node : node_.children())
+    if (node.type() == pugi::node_element)
+      result.emplace_back(*document_, node);
+  return result;
+}
+
+std::vector<Element> Element::bulk() {
+  std::vector<Element> result = children();
+  for (Element& e : result)
+    document_->mark(e.node_).bulk = true;
+  return result;
+}
+
+std::optional<std::string> Element::attribute(const char* name) {
+  document_->mark(node_).attributes.push_back(name);
+  const pugi::xml_attribute a = node_.attribute(name);
+  if (!a)
+    return {};
+  return trimmed(a.value());
+}
+
+std::string Element::required_attribute(const char* name) {
+  const auto found = attribute(name);
+  if (!found || found->empty())
+    fail(std::string("expected an attribute '") + name + "'");
+  return *found;
+}
+
+std::string Element::attribute_or(const char* name, const std::string& otherwise) {
+  return attribute(name).value_or(otherwise);
+}
+
+void Element::ignore(const char* name, const std::string& why) {
+  for (Element& e : children(name))
+    e.set_ignored(why);
+}
+
+void Element::ignore(std::initializer_list<const char*> names, const std::string& why) {
+  for (const char* name : names)
+    ignore(name, why);
+}
+
+void Element::set_ignored(const std::string& why) {
+  Document::Mark& mark = document_->mark(node_);
+  mark.fate = Fate::ignored;
+  mark.note = why;
+}
+
+void Element::refuse(const std::string& why) {
+  Document::Mark& mark = document_->mark(node_);
+  if (mark.fate == Fate::refused)
+    return;
+  mark.fate = Fate::refused;
+  mark.note = why;
+}
+
+void Element::note(const std::string& text) {
+  std::string& note = document_->mark(node_).note;
+  note += (note.empty() ? "" : "; ") + text;
+}
+
+std::string Element::text() const {
+  std::string s;
+  for (const pugi::xml_node child : node_.children())
+    if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+      s += child.value();
+  return trimmed(s);
+}
+
+double Element::number() const {
+  double x = 0.0;
+  if (!parse_double(text(), x))
+    fail("expected a number, got '" + text() + "'");
+  return x;
+}
+
+Global Element::integer() const {
+  Global n = 0;
+  if (!parse_integer(text(), n))
+    fail("expected a whole number, got '" + text() + "'");
+  return n;
+}
+
+bool Element::flag() const {
+  const std::string s = text();
+  if (s != "0" && s != "1")
+    fail("expected 0 or 1, got '" + s + "'");
+  return s == "1";
+}
+
+std::vector<double> Element::numbers(std::size_t count) const {
+  std::vector<double> result;
+  for (const std::string& part : split(text())) {
+    double x = 0.0;
+    if (!parse_double(part, x))
+      fail("expected " + std::to_string(count) + " numbers, got '" + text() + "'");
+    result.push_back(x);
+  }
+  if (result.size() != count)
+    fail("expected " + std::to_string(count) + " numbers, got " + std::to_string(result.size()));
+  return result;
+}
+
+std::vector<Global> Element::integers() const {
+  std::vector<Global> result;
+  for (const std::string& part : split(text())) {
+    Global n = 0;
+    if (!parse_integer(part, n))
+      fail("expected whole numbers, got '" + part + "'");
+    result.push_back(n);
+  }
+  return result;
+}
+
+Value Element::value() {
+  Value v;
+  v.number = number();
+  v.line = line();
+  if (const auto lc = attribute("lc")) {
+    Global id = 0;
+    if (!parse_integer(*lc, id) || id < 1)
+      fail("expected the id of a load controller in lc, got '" + *lc + "'");
+    v.curve = static_cast<int>(id);
+  }
+  return v;
+}
+
+double Element::number_or(const char* name, double otherwise) {
+  const auto found = child(name);
+  return found ? found->number() : otherwise;
+}
+
+int Element::whole_or(const char* name, int otherwise) {
+  const auto found = child(name);
+  if (!found)
+    return otherwise;
+  const Global n = found->integer();
+  if (n < -1000000000 || n > 1000000000)
+    found->fail("expected a whole number up to a billion, got '" + found->text() + "'");
+  return static_cast<int>(n);
+}
+
+bool Element::flag_or(const char* name, bool otherwise) {
+  const auto found = child(name);
+  return found ? found->flag() : otherwise;
+}
+
+std::string Element::text_or(const char* name, const std::string& otherwise) {
+  const auto found = child(name);
+  return found ? found->text() : otherwise;
+}
+
+Value Element::value_or(const char* name, double otherwise) {
+  auto found = child(name);
+  if (found)
+    return found->value();
+  Value v;
+  v.number = otherwise;
+  v.line = line();
+  return v;
+}
+
+void Element::expect(const char* name, double only, const std::string& why) {
+  auto found = child(name);
+  if (found && found->number() != only)
+    found->refuse(why);
+}
+
+} // namespace abut::febio

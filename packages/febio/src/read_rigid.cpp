@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/core/error.hpp"
+#include "readers.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace abut::febio {
+
+namespace {
+
+/// The material of a rigid body by name, or by its place in the file as older files have it.
+std::string rigid_body(Element parent, const Model& model) {
+  const Element rb = parent.required_child("rb");
+  const std::string name = rb.text();
+  const Material* material = model.material(name);
+  if (!material)
+    rb.fail("there is no material '" + name + "'");
+  if (!material->is_rigid())
+    rb.fail("material '" + name + "' is not a rigid body");
+  return name;
+}
+
+int component(const Element& dof, std::initializer_list<const char*> words) {
+  const std::string text = dof.text();
+  const std::vector<std::string> valid(words.begin(), words.end());
+  const auto found = std::find(valid.begin(), valid.end(), text);
+  if (found == valid.end())
+    dof.fail("'" + text + "'; " + nearest_word_hint(text, valid.data(), valid.size()));
+  return static_cast<int>(found - valid.begin());
+}
+
+void read_fixed(Element bc, Model& model) {
+  constexpr const char* words[] = {"Rx_dof", "Ry_dof", "Rz_dof", "Ru_dof", "Rv_dof", "Rw_dof"};
+  RigidCondition c;
+  c.fixed = true;
+  c.body = rigid_body(bc, model);
+  for (std::size_t i = 0; i < 6; ++i)
+    c.components[i] = bc.flag_or(words[i], false);
+  c.name = bc.attribute_or("name", "");
+  c.line = bc.line();
+  model.rigid_conditions.push_back(c);
+}
+
+void read_prescribed(Element bc, bool rotation, Model& model) {
+  RigidCondition c;
+  c.body = rigid_body(bc, model);
+  const Element dof = bc.required_child("dof");
+  const int i = rotation ? component(dof, {"Ru", "Rv", "Rw"}) % 3 + 3
+                         : component(dof, {"x", "y", "z", "Rx", "Ry", "Rz"}) % 3;
+  c.components[static_cast<std::size_t>(i)] = true;
+  c.value = bc.required_child("value").value();
+  bc.expect("relative", 0, "abut prescribes motion from the reference configuration");
+  c.name = bc.attribute_or("name", "");
+  c.line = bc.line();
+  model.rigid_conditions.push_back(c);
+}
+
+void read_load(Element load, const std::string& type, Model& model) {
+  RigidLoad r;
+  r.body = rigid_body(load, model);
+  const Element dof = load.required_child("dof");
+  r.component = type == "rigid_moment" ? component(dof, {"Ru", "Rv", "Rw"}) + 3
+                                       : component(dof, {"Rx", "Ry", "Rz", "Ru", "Rv", "Rw"});
+  r.value = load.required_child("value").value();
+  load.expect("load_type", 0, "abut has dead loads on rigid bodies, load_type 0");
+  load.expect("relative", 0, "abut has absolute loads on rigid bodies, relative 0");
+  r.name = load.attribute_or("name", "");
+  r.line = load.line();
+  model.rigid_loads.push_back(r);
+}
+
+} // namespace
+
+void read_rigid(Element section, Model& model) {
+  for (Element bc : section.children("rigid_bc")) {
+    const std::string type = bc.required_attribute("type");
+    if (type == "rigid_fixed")
+      read_fixed(bc, model);
+    else if (type == "rigid_displacement" || type == "rigid_rotation")
+      read_prescribed(bc, type == "rigid_rotation", model);
+    else
+      bc.refuse("type '" + type + "': abut has rigid_fixed, rigid_displacement, rigid_rotation");
+  }
+  for (Element load : section.children("rigid_load")) {
+    const std::string type = load.required_attribute("type");
+    if (type == "rigid_force" || type == "rigid_moment")
+      read_load(load, type, model);
+    else
+      load.refuse("type '" + type + "': abut has rigid_force and rigid_moment");
+  }
+  for (Element joint : section.children("rigid_connector"))
+    joint.refuse("abut has no joints between rigid bodies");
+}
+
+void read_boundary(Element section, Model& model) {
+  constexpr const char* words[] = {"x_dof", "y_dof", "z_dof"};
+  for (Element bc : section.children("bc")) {
+    const std::string type = bc.required_attribute("type");
+    const std::string name = bc.attribute_or("name", ""), place = bc.attribute_or("node_set", "");
+    if (place.empty() && type != "rigid_deformation")
+      bc.fail("expected an attribute 'node_set'");
+    if (type == "rigid") {
+      model.ties.push_back({name, place, rigid_body(bc, model), bc.line()});
+      continue;
+    }
+    Displacement d;
+    d.name = name;
+    d.place = place;
+    d.line = bc.line();
+    if (type == "zero displacement") {
+      for (std::size_t i = 0; i < 3; ++i)
+        d.components[i] = bc.flag_or(words[i], false);
+    } else if (type == "prescribed displacement") {
+      d.components[static_cast<std::size_t>(component(bc.required_child("dof"), {"x", "y", "z"}))] =
+          true;
+      d.value = bc.required_child("value").value();
+      bc.expect("relative", 0, "abut prescribes displacements from the reference configuration");
+    } else {
+      bc.refuse("type '" + type +
+                "': abut has zero displacement, prescribed displacement and rigid");
+      continue;
+    }
+    model.displacements.push_back(d);
+  }
+}
+
+} // namespace abut::febio

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/core/error.hpp"
+#include "deck_parts.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+
+namespace abut::febio {
+
+namespace {
+
+class Builder {
+public:
+  Builder(const Model& model, MeshTranslation& mesh, Report& report)
+      : model_(model), mesh_(mesh), report_(report) {
+    for (const Material& m : model.materials)
+      if (m.is_rigid())
+        names_.push_back(m.name);
+    group_.resize(names_.size());
+    std::iota(group_.begin(), group_.end(), std::size_t(0));
+  }
+
+  RigidBodies build() {
+    members();
+    bodies();
+    for (const RigidCondition& c : model_.rigid_conditions)
+      if (c.fixed)
+        condition(c);
+    for (const RigidCondition& c : model_.rigid_conditions)
+      if (!c.fixed)
+        condition(c);
+    for (const RigidLoad& l : model_.rigid_loads)
+      load(l);
+    check_body_loads();
+    for (RigidBody& body : result_.bodies)
+      if (body.turns() || body.has_load)
+        body.center = center(body);
+    return std::move(result_);
+  }
+
+private:
+  std::size_t index(const std::string& material) const {
+    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), material) -
+                                    names_.begin());
+  }
+
+  /// Nodes of each rigid material; two that share a node become one.
+  void members() {
+    for (std::size_t d = 0; d < model_.mesh.domains.size(); ++d) {
+      const Domain& domain = model_.mesh.domains[d];
+      if (model_.material(domain.material)->is_rigid())
+        for (const Global id : domain.nodes)
+          claim(id, index(domain.material));
+    }
+    for (const RigidTie& tie : model_.ties)
+      for (const Global id : mesh_.nodes_of(tie.place, tie.line))
+        claim(id, index(tie.body));
+  }
+  void claim(Global id, std::size_t material) {
+    const auto [it, is_new] = owner_.emplace(id, material);
+    const std::size_t a = group_[it->second], b = group_[material];
+    if (!is_new && a != b)
+      std::replace(group_.begin(), group_.end(), std::max(a, b), std::min(a, b));
+  }
+
+  void bodies() {
+    body_of_group_.assign(names_.size(), -1);
+    for (const auto& entry : owner_)
+      body_of_group_[group_[entry.second]] = 0;
+    for (std::size_t g = 0; g < names_.size(); ++g) {
+      if (body_of_group_[g] < 0)
+        continue;
+      body_of_group_[g] = static_cast<int>(result_.bodies.size());
+      RigidBody body;
+      for (std::size_t m = 0; m < names_.size(); ++m)
+        if (group_[m] == g)
+          body.materials.push_back(names_[m]);
+      body.free.fill(true);
+      result_.bodies.push_back(std::move(body));
+    }
+    for (const auto& [id, material] : owner_)
+      result_.body_of_node[id] = body_of_group_[group_[material]];
+    for (std::size_t d = 0; d < model_.mesh.domains.size(); ++d)
+      if (RigidBody* body = find(model_.mesh.domains[d].material))
+        body->domains.push_back(d);
+    for (const RigidTie& tie : model_.ties) {
+      const std::vector<Global> nodes = mesh_.nodes_of(tie.place, tie.line);
+      if (!nodes.empty())
+        find(tie.body)->sets.push_back(mesh_.set_of(nodes, tie.place));
+    }
+  }
+
+  RigidBody* find(const std::string& material) {
+    const std::size_t m = index(material);
+    if (m == names_.size() || body_of_group_[group_[m]] < 0)
+      return nullptr;
+    return &result_.bodies[static_cast<std::size_t>(body_of_group_[group_[m]])];
+  }
+
+  void without_nodes(int line, const std::string& name) {
+    report_.add({line, "Rigid '" + name + "'", Fate::ignored,
+                 "the rigid body has neither elements nor nodes"});
+  }
+
+  void condition(const RigidCondition& c) {
+    RigidBody* body = find(c.body);
+    if (!body)
+      return without_nodes(c.line, c.name);
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (!c.components[i])
+        continue;
+      body->free[i] = false;
+      if (c.value.is_zero())
+        continue;
+      if (body->motion[i] != 0.0)
+        throw InputError(model_.where(c.line) + ": component " + "xyzuvw"[i] + " of rigid body '" +
+                         c.body + "' is prescribed twice");
+      body->motion[i] = c.value.number;
+      follow(c.value, body->has_motion, body->motion_curve, c.line, c.name);
+    }
+  }
+
+  void load(const RigidLoad& l) {
+    RigidBody* body = find(l.body);
+    if (!body)
+      return without_nodes(l.line, l.name);
+    if (l.value.is_zero())
+      return;
+    if (!body->free[static_cast<std::size_t>(l.component)])
+      throw InputError(model_.where(l.line) + ": rigid body '" + l.body +
+                       "' is held in the component that is loaded");
+    body->load[static_cast<std::size_t>(l.component)] += l.value.number;
+    follow(l.value, body->has_load, body->load_curve, l.line, l.name);
+  }
+
+  /// One curve serves all components of a body.
+  void follow(const Value& value, bool& has, Value& curve, int line, const std::string& name) {
+    if (has && curve.curve != value.curve)
+      report_.add({line, "Rigid '" + name + "'", Fate::refused,
+                   "components of one rigid body follow different load curves: abut has one curve "
+                   "for the motion of a body and one for its loads"});
+    has = true;
+    curve.curve = value.curve;
+  }
+
+  void check_body_loads() {
+    for (const Load& l : model_.loads)
+      for (std::size_t i = 0; i < 3; ++i)
+        for (const RigidBody& body : result_.bodies)
+          if (l.kind == Load::Kind::body_force && body.free[i] && !l.vector[i].is_zero() &&
+              !body.domains.empty())
+            report_.add({l.line, "Loads/body_load '" + l.name + "'", Fate::refused,
+                         "rigid body '" + body.materials[0] +
+                             "' is free to fall: give its weight as a rigid_force"});
+  }
+
+  Vec3 center(const RigidBody& body) const {
+    for (const std::string& name : body.materials)
+      if (const auto& given = model_.material(name)->center_of_mass)
+        return *given;
+    double mass = 0.0;
+    Vec3 moment = Vec3::zero();
+    for (const std::size_t d : body.domains) {
+      const double part = mesh_.bulk(d).volume *
+                          model_.material(model_.mesh.domains[d].material)->numbers.at("density");
+      mass += part;
+      moment += part * mesh_.bulk(d).centroid;
+    }
+    if (!(mass > 0.0))
+      return Vec3::zero();
+    Vec3 center = 1.0 / mass * moment;
+    for (double& x : center.v) { // digits that are known, and a person would write
+      char text[32];
+      std::snprintf(text, sizeof text, "%.12g", x);
+      x = std::strtod(text, nullptr);
+    }
+    return center;
+  }
+
+  const Model& model_;
+  MeshTranslation& mesh_;
+  Report& report_;
+  std::vector<std::string> names_; ///< of rigid materials
+  std::vector<std::size_t> group_; ///< first material of the merged ones
+  std::vector<int> body_of_group_; ///< -1: no nodes
+  std::map<Global, std::size_t> owner_;
+  RigidBodies result_;
+};
+
+} // namespace
+
+RigidBodies rigid_bodies(const Model& model, MeshTranslation& mesh, Report& report) {
+  return Builder(model, mesh, report).build();
+}
+
+} // namespace abut::febio

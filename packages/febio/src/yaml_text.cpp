@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "yaml_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace abut::febio {
+
+std::string number_text(double x) {
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, x == 0.0 ? 0.0 : x);
+  return {text, end.ptr};
+}
+
+std::string quoted(const std::string& name) {
+  static const std::set<std::string> words = {"y",   "n",    "yes",   "no",  "on",
+                                              "off", "true", "false", "null"};
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '.' || c == '-';
+  };
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_plain) &&
+      std::isalpha(static_cast<unsigned char>(name[0])) && !words.count(lower))
+    return name;
+  std::string out = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return out + '"';
+}
+
+std::string list_text(const std::vector<std::string>& items) {
+  std::string s;
+  for (const std::string& item : items)
+    s += (s.empty() ? "" : ", ") + item;
+  return "[" + s + "]";
+}
+
+std::string vector_text(const std::array<double, 3>& v) {
+  return list_text({number_text(v[0]), number_text(v[1]), number_text(v[2])});
+}
+
+std::string FlowMap::text() const {
+  std::string s;
+  for (const auto& [key, value] : items_)
+    s += (s.empty() ? "" : ", ") + key + ": " + value;
+  return "{" + s + "}";
+}
+
+std::string DeckNames::make(const std::string& name, const std::string& otherwise) {
+  std::string base;
+  for (const char c : name.empty() ? otherwise : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) && !(c & 0x80);
+    if (plain)
+      base += c;
+    else if (!base.empty() && base.back() != '_')
+      base += '_';
+  }
+  while (!base.empty() && base.back() == '_')
+    base.pop_back();
+  if (base.empty() || std::isdigit(static_cast<unsigned char>(base[0])))
+    base = otherwise + (base.empty() ? "" : "_" + base);
+  std::string unique = base;
+  for (int i = 2; !taken_.insert(unique).second; ++i)
+    unique = base + "_" + std::to_string(i);
+  return unique;
+}
+
+} // namespace abut::febio

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/tensor.hpp"
+#include "abut/fem/cell_shape.hpp"
+#include "abut/fem/quadrature.hpp"
+#include "abut/solid/deformation.hpp"
+
+/// Kinematics of an element's integration points.
+namespace abut::solid {
+
+/// Shape functions of a cell at its stiffness points.
+template <fem::CellType C> struct ReferenceCell {
+  static constexpr int nodes = fem::CellShape<C>::nodes;
+  static constexpr int points = C == fem::CellType::hex8     ? 8
+                                : C == fem::CellType::tet4   ? 1
+                                : C == fem::CellType::tet10  ? 4
+                                : C == fem::CellType::wedge6 ? 6
+                                                             : 27;
+  double weight[points];
+  double N[points][nodes];
+  double dN[points][3][nodes]; ///< by the reference cell's coordinates
+
+  ReferenceCell() {
+    const fem::Rule<3> rule = fem::cell_rule(C, fem::default_points(C));
+    for (int p = 0; p < points; ++p) {
+      double d[nodes][3];
+      weight[p] = rule.weight[p];
+      fem::CellShape<C>::values(rule.xi[p].data(), N[p]);
+      fem::CellShape<C>::derivatives(rule.xi[p].data(), d);
+      for (int i = 0; i < 3; ++i)
+        for (int a = 0; a < nodes; ++a)
+          dN[p][i][a] = d[a][i];
+    }
+  }
+};
+
+/// The one table of a cell type (host).
+template <fem::CellType C> const ReferenceCell<C>& reference_cell() {
+  static const ReferenceCell<C> cell;
+  return cell;
+}
+
+/// Sum over nodes of v_a times grad N_a: m[i][k] = dv_i/dxi_k.
+template <int n, class T>
+KOKKOS_INLINE_FUNCTION Mat<T, 3> nodal_gradient(const T (&v)[3][n], const double (&dN)[3][n]) {
+  Mat<T, 3> m;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      T s = v[i][0] * dN[k][0];
+      for (int a = 1; a < n; ++a)
+        s += v[i][a] * dN[k][a];
+      m[i][k] = s;
+    }
+  return m;
+}
+
+/// Product of a plain matrix and one of any scalar.
+template <class T> KOKKOS_INLINE_FUNCTION Mat<T, 3> product(const Mat<T, 3>& a, const Mat3& b) {
+  Mat<T, 3> r;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      r[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+  return r;
+}
+
+/// Kinematics of one integration point.
+template <class T> struct SolidPoint {
+  double volume = 0.0; ///< weight times the determinant of the reference Jacobian
+  Deformation<T> deformation{Mat<T, 3>::zero()};
+  Mat<T, 3> map; ///< [k][i] = dxi_k/dx_i (finite strain) or dxi_k/dX_i
+
+  /// x: reference coordinates, u: displacements. Returns false when det F <= 0 at finite strain.
+  template <int n>
+  KOKKOS_INLINE_FUNCTION bool set(bool finite_strain, double weight, const double (&dN)[3][n],
+                                  const double (&x)[3][n], const T (&u)[3][n]) {
+    const Mat3 jacobian = nodal_gradient(x, dN);
+    const double reference_det = det(jacobian);
+    const Mat3 to_reference = inverse(jacobian, reference_det);
+    volume = weight * reference_det;
+    deformation = Deformation<T>(product(nodal_gradient(u, dN), to_reference));
+    if (!finite_strain) {
+      for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i)
+          map[k][i] = T(to_reference[k][i]);
+      return true;
+    }
+    const T J = deformation.jacobian();
+    if (!(J > 0.0))
+      return false;
+    Mat<T, 3> F = deformation.H;
+    for (int i = 0; i < 3; ++i)
+      F[i][i] += 1.0;
+    const Mat<T, 3> back = inverse(F, J);
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i)
+        map[k][i] = to_reference[k][0] * back[0][i] + to_reference[k][1] * back[1][i] +
+                    to_reference[k][2] * back[2][i];
+    return true;
+  }
+};
+
+} // namespace abut::solid

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Imports cases of FEBio's own suite, runs them and compares displacements with FEBio's.
+usage: febio_suite_test.py quick|all [CASE ...]
+
+The cases are no part of this repository. They are sought in the folder that ABUT_FEBIO_SUITE names,
+else in a folder febio-suite below a neighbour of the repository; without them nothing is tested, and
+the test says so. The folder holds cases/NAME.feb, displacements/NAME.csv (node, ux, uy, uz at the
+end) and results.csv (FEBio's counters).
+"""
+import csv
+import os
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+import scenes
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+# Frictionless penalty cases are the same discrete problem; FEBio's augmented ones stop somewhere.
+PENALTY, AUGMENTED = 5e-3, 1e-2
+QUICK = ("co01", "co02", "co09", "co18", "co32", "co35")
+# (multiplier tolerance, largest number of augmentations) of the references, but for cases in which
+# FEBio does not converge with these: they ran as they are, and so do ours.
+TIGHT = (1e-4, 100)
+
+
+def suite_folder():
+    given = os.environ.get("ABUT_FEBIO_SUITE")
+    if given:
+        return pathlib.Path(given)
+    return next(iter(sorted(REPOSITORY.parent.glob("*/febio-suite"))), None)
+
+
+SUITE = suite_folder()
+
+
+def read_results():
+    with open(SUITE / "results.csv", newline="") as file:
+        return {row["case"]: row for row in csv.DictReader(file)}
+
+
+def reference(case, ids):
+    """FEBio's displacements of the nodes with these ids, nodes x 3."""
+    with open(SUITE / "displacements" / f"{case}.csv", newline="") as file:
+        rows = {int(r[0]): [float(x) for x in r[1:]] for r in csv.reader(file) if r[0] != "node"}
+    return numpy.array([rows[i] for i in ids])
+
+
+def bodies(fields):
+    """A number for each node: the least node of the connected part it belongs to."""
+    parent = list(range(len(fields.node_map)))
+
+    def top(i):
+        while parent[i] != i:
+            parent[i] = parent[parent[i]]
+            i = parent[i]
+        return i
+
+    for block in fields.names("eb"):
+        for element in fields.connectivity(block):
+            first = top(element[0])
+            for node in element[1:]:
+                parent[top(node)] = first
+    return numpy.array([top(i) for i in range(len(parent))])
+
+
+def difference(fields, case):
+    """Relative L2 difference over all nodes; each body's mean displacement is taken away first, but
+    where FEBio's bodies end without strain."""
+    expected = reference(case, fields.node_map)
+    error = fields.vector("displacement") - expected
+    whole = numpy.linalg.norm(error), numpy.linalg.norm(expected)
+    part = bodies(fields)
+    for body in numpy.unique(part):
+        error[part == body] -= error[part == body].mean(axis=0)
+        expected[part == body] -= expected[part == body].mean(axis=0)
+    if numpy.linalg.norm(expected) < 1e-9 * whole[1]:
+        return whole[0] / whole[1]
+    return numpy.linalg.norm(error) / numpy.linalg.norm(expected)
+
+
+def imported(case, folder):
+    """The deck of a case; its mesh lies beside it."""
+    status, output = scenes.execute([scenes.EXECUTABLE, "import", str(SUITE / "cases" / f"{case}.feb"),
+                                     "--output-dir", str(folder)], 60)
+    assert status == 0, output
+    return folder / f"{case}.yaml"
+
+
+def tighten(text, tolerance, most):
+    """The deck with this tolerance of multipliers, where it has any."""
+    text = re.sub(r" +(multiplier_tolerance|max_augmentations): .*\n", "", text)
+    return text.replace("    enforcement: augmented_lagrangian\n",
+                        f"    enforcement: augmented_lagrangian\n    multiplier_tolerance: {tolerance}\n"
+                        f"    max_augmentations: {most}\n")
+
+
+@unittest.skipIf(SUITE is None or not SUITE.is_dir(), "the folder febio-suite is not there")
+class Suite(unittest.TestCase):
+    cases = QUICK
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="abut_febio_"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def run_case(self, case, ranks=None):
+        deck = imported(case, self.folder)
+        if read_results()[case]["reference_from"] == "tight":
+            deck.write_text(tighten(deck.read_text(), *TIGHT))
+        return scenes.run(deck, ranks=ranks, seconds=900, files=[self.folder / f"{case}.exo"])
+
+    def test_displacements_are_febios(self):
+        results = read_results()
+        print("case | L2 difference | iterations ours/FEBio's | augmentations | cut-backs | seconds")
+        for case in self.cases:
+            with self.subTest(case):
+                result = self.run_case(case)
+                s = result.summary
+                value = difference(result.fields, case)
+                print(f"{case} | {value:.2e} | {s['newton_iterations']}/"
+                      f"{results[case]['gold_newton_iterations']} | {s['augmentations']} | "
+                      f"{s['cut_backs']} | {result.seconds:.1f}", flush=True)
+                augmented = "augmented_lagrangian" in result.deck_path.read_text()
+                default = results[case]["reference_from"] == "default"
+                allowed = AUGMENTED if augmented or default else PENALTY
+                self.assertLess(value, allowed)
+                self.assertGreater(max(c["active_points"] for c in s["contact"].values()), 0)
+
+    def test_node_numbers_are_febios(self):
+        deck = imported("co13", self.folder)
+        fields = scenes.Fields(deck.with_suffix(".exo"))
+        ids = re.findall(r'<node id="(\d+)"', (SUITE / "cases" / "co13.feb").read_text())
+        self.assertEqual([int(i) for i in ids], list(fields.node_map))
+
+    def test_two_ranks_give_the_same(self):
+        for case in ("co02", "co18"):
+            one, two = self.run_case(case, 1), self.run_case(case, 2)
+            u, v = (r.fields.vector("displacement") for r in (one, two))
+            self.assertGreater(abs(u).max(), 0.01)
+            self.assertLess(abs(u - v).max(), 1e-8 * abs(u).max())
+
+
+if __name__ == "__main__":
+    if sys.argv.pop(1) == "all":
+        Suite.cases = tuple(sorted(read_results())) if SUITE else ()
+    named = [a for a in sys.argv[1:] if re.fullmatch(r"co\d+", a)]
+    if named:
+        Suite.cases = tuple(named)
+        sys.argv = [a for a in sys.argv if a not in named]
+    unittest.main()
