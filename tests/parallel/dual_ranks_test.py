@@ -74,9 +74,12 @@ class SameOnAllRanks(unittest.TestCase):
                 self.compare(deck, "contact", cut=False)
 
     def test_friction(self):
+        # Solves that stop early would leave what their tolerance allows, along a path that rounding chooses.
         for formulation in ("facet_on_facet", "sliding_elastic"):
             with self.subTest(formulation=formulation):
-                one = self.compare(friction.with_contact(formulation, **AUGMENTED["contact"]["pair"]),
+                one = self.compare(scenes.merged(
+                    friction.with_contact(formulation, **AUGMENTED["contact"]["pair"]),
+                    {"newton": {"inexact": False}}),
                                    "upper_bottom")
                 self.assertGreater(one.result.contact()["slip_points"], 0)
                 self.assertGreater(one.result.contact()["stick_points"], 0)
