@@ -140,6 +140,8 @@ void check(const std::string& deck_file) {
   explain_bodies(*m, print);
   explain_supports(*m, print);
   explain_contact(*m, print);
+  for (const std::string& warning : m->warnings)
+    print("WARNING: {}", warning);
   require_supports(*m);
   print("the deck is valid");
 }

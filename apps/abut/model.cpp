@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model.hpp"
 
+#include "abut/contact/side_choice.hpp"
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
 #include "abut/mesh/generate.hpp"
@@ -11,6 +12,7 @@
 #include "rigid_motion.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 #include <set>
 
@@ -183,7 +185,23 @@ std::vector<char> prescribed_directions(const Model& m, const mesh::Surface& sur
   return result;
 }
 
-void add_contact(Model& m, const contact::ContactOptions& options) {
+/// Swaps the sides when the deck leaves the choice, and warns of a primary that is stiff and fine.
+void choose_sides(Model& m, const mesh::Surface& primary, const mesh::Surface& secondary,
+                  contact::ContactOptions& options) {
+  const contact::SideComparison sides = contact::compare_sides(m.comm, primary, secondary);
+  if (options.primary_side == contact::PrimarySide::automatic) {
+    if (sides.prefers_swap())
+      std::swap(options.primary, options.secondary);
+  } else if (sides.is_poor() && !options.two_pass) {
+    m.warnings.push_back(fmt::format(
+        "contact.{}: the primary '{}' is {:.3g} times as stiff as the secondary and its faces are {:.3g} "
+        "times their size: pressures will oscillate. Swap primary and secondary, or give "
+        "'primary_side: automatic'",
+        options.name, options.primary, sides.stiffness, sides.size));
+  }
+}
+
+void add_contact(Model& m, contact::ContactOptions options) {
   solid::BlockMaterials materials;
   for (const auto& material : m.material)
     materials.push_back(material ? &*material : nullptr);
@@ -205,6 +223,7 @@ void add_contact(Model& m, const contact::ContactOptions& options) {
     contact.set_prescribed(prescribed_directions(m, contact.primary()));
   };
   try {
+    choose_sides(m, surface(options.primary), surface(options.secondary), options);
     add(options, options.two_pass ? 0.5 : 1.0);
     if (!options.two_pass)
       return;

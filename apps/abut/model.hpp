@@ -32,6 +32,7 @@ struct Model {
   std::vector<std::shared_ptr<solid::SolidContribution>> solids;
   std::vector<std::shared_ptr<contact::Interaction>> contacts;
   std::unique_ptr<assembly::EquationSystem> equations;
+  std::vector<std::string> warnings; ///< what a user should hear before the run
 };
 
 /// Reads the deck and its mesh and builds everything. Throws InputError, naming file, line and key,

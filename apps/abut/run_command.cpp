@@ -85,6 +85,8 @@ int run(const RunOptions& options) {
                             m.mesh->num_elements, m.equations->dofs().num_global_rows() * 3,
                             comm.size(), comm.size() > 1 ? "s" : ""));
 
+  for (const std::string& warning : m.warnings)
+    progress.line("warning: " + warning);
   State state = make_state(m, x, 0.0, {});
   io::ResultWriter writer(stem, *m.mesh, result_names(m), m.deck.output.files);
   std::optional<PointsFile> points;
@@ -100,7 +102,11 @@ int run(const RunOptions& options) {
   write();
   double written = 0.0;
 
-  solver::NewtonSolver newton(*linear, m.deck.newton, m.deck.linear.tolerance);
+  // A status that has not come to rest would be augmented into the multipliers of friction.
+  solver::NewtonOptions options = m.deck.newton;
+  for (const auto& c : m.contacts)
+    options.inexact = options.inexact && c->options().friction == 0.0;
+  solver::NewtonSolver newton(*linear, options, m.deck.linear.tolerance);
   auto augment =
       make_augmentation(m, [&](int n, const auto& report) { progress.augmentation(n, report); });
   if (m.deck.check == deck::ModelCheck::tangent)

@@ -219,7 +219,7 @@ void Interaction::prepare(const NodalFields& fields) {
     start();
   started_ = true;
   ++searches_;
-  next_.clear();
+  proposed_ = false;
   if (dual_)
     evaluate_nodes();
   else

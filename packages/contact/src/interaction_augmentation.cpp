@@ -53,6 +53,7 @@ Interaction::Multiplier Interaction::base(const PointState& state,
 
 void Interaction::propose() {
   next_.assign(points_.size(), {});
+  proposed_ = true;
   if (options_.space() == Multipliers::smoothed)
     propose_averages();
   for (Local f = 0; f < primary_.num_faces(); ++f)
@@ -224,7 +225,7 @@ Augmentation Interaction::augmentation() {
 void Interaction::augment() {
   if (dual_)
     augment_nodes();
-  else if (next_.size() != points_.size())
+  else if (!proposed_)
     augmentation();
   last_gaps_.push_back(judged_[0]);
   last_changes_.push_back(judged_[1]);

@@ -173,6 +173,12 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   using contact::Formulation;
   v.required("primary", o.primary, "side set that carries the integration points");
   v.required("secondary", o.secondary, "side set that is projected on");
+  using contact::PrimarySide;
+  v.choice("primary_side", o.primary_side,
+           {{"as_given", PrimarySide::as_given, "primary and secondary as the deck names them"},
+            {"automatic", PrimarySide::automatic,
+             "the softer surface becomes the primary, whichever way they are named"}},
+           "which surface carries the points; check tells how the sides compare");
   v.choice("formulation", o.formulation,
            {{"node_on_facet", Formulation::node_on_facet,
              "points at the primary nodes, closest point on the secondary faces"},
@@ -287,7 +293,7 @@ template <class V> void describe(V& v, solver::NewtonOptions& o) {
            {{"automatic", LineSearch::automatic, "shorten a step that makes things worse"},
             {"none", LineSearch::none, "full Newton steps"}},
            "of the Newton step");
-  v.optional("inexact", o.inexact, "solves that an augmentation will follow stop early");
+  v.optional("inexact", o.inexact, "without friction, solves that an augmentation will follow stop early");
 }
 
 template <class V> void describe(V& v, solver::LinearOptions& o) {

@@ -294,7 +294,8 @@ private:
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
-  std::vector<Multiplier> next_; ///< (I,P) proposed, empty when not yet
+  std::vector<Multiplier> next_; ///< (I,P) proposed
+  bool proposed_ = false;        ///< for the present configuration
   double violation_ = 0.0, violation_length_ = 0.0; ///< of this rank, see Augmentation
   std::array<double, 2> judged_{};                  ///< gap and change of the proposal
   bool increments_ = false; ///< smoothed multipliers grow by averages of what springs carry

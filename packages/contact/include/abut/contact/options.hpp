@@ -46,11 +46,18 @@ enum class Multipliers {
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
+/// Which of the two surfaces is the primary.
+enum class PrimarySide {
+  as_given,
+  automatic, ///< the softer one
+};
+
 /// One contact interface. Lengths that a user would have to tune are fractions of face sizes.
 struct ContactOptions {
   std::string name;
   std::string primary;   ///< side set that carries the integration points
   std::string secondary; ///< side set that is projected on; may be the same one: self-contact
+  PrimarySide primary_side = PrimarySide::as_given;
   Formulation formulation = Formulation::facet_on_facet;
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;

@@ -27,7 +27,7 @@ struct NewtonOptions {
   double tolerance = 1e-8; ///< residual over reference force [1]
   int max_iterations = 25;
   LineSearch line_search = LineSearch::automatic;
-  bool inexact = true; ///< solves that an augmentation follows stop early
+  bool inexact = true; ///< without friction: solves that an augmentation follows stop early
   std::string nox; ///< NOX parameter list as XML text, merged over abut's own
 };
 
