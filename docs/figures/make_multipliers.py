@@ -129,7 +129,7 @@ def friction(spaces):
 
 def counts(spaces):
     """What is left of the gap over the linear solves of a cold start, 2 facets to a contact radius."""
-    figure, axes = pyplot.subplots(1, len(spaces), figsize=(3.6 * len(spaces), 3), sharey=True)
+    figure, axes = pyplot.subplots(1, len(spaces), figsize=(3.6 * len(spaces), 3), sharex=True, sharey=True)
     for axis, space in zip(axes, spaces):
         for factor, style in ((1, ":"), (10, "--"), (100, "-")):
             deck = pressure_study.deck(2, steps=1, multipliers=space, penalty_factor=factor, gap_tolerance=1e-6,
@@ -148,6 +148,7 @@ def counts(spaces):
         axis.grid(True, lw=0.3)
         axis.legend(fontsize=8)
     axes[0].set_ylabel("largest gap / face size")
+    axes[0].set_ylim(1e-8, 1e-1)
     save(figure, "counts")
 
 
