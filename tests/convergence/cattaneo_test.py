@@ -87,6 +87,11 @@ def deck(case, ways, hold=0, fine_primary=True, **changes):
     }
 
 
+def fits(case):
+    """A node has no anchor: dual multipliers take the incremental map alone."""
+    return not (case[1] == "inclined_ray" and case[2] == "dual")
+
+
 class Level:
     """One level of Q, from nodal averages: share Q/(mu P), c/a, L2 errors of p and q over those of p and mu p."""
 
@@ -174,7 +179,7 @@ class PartialSlip(unittest.TestCase):
                 self.assertGreater(order, 0.75)  # 1 from the roots at a and c
 
     def each(self, friction_map):
-        for enforcement in ENFORCEMENTS:
+        for enforcement in filter(lambda word: fits((*friction_map, word)), ENFORCEMENTS):
             for fine_primary in (True, False) if KNOWN.thorough else (True,):
                 with self.subTest(enforcement=enforcement, fine_primary=fine_primary):
                     self.study((*friction_map, enforcement), fine_primary)
@@ -198,8 +203,7 @@ class Hold(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = mesh_file(folder, 8)
             for friction_map in MAPS:
-                for enforcement in ENFORCEMENTS:
-                    case = (*friction_map, enforcement)
+                for case in filter(fits, ((*friction_map, enforcement) for enforcement in ENFORCEMENTS)):
                     with self.subTest(case=case):
                         self.check_hold(case, path)
 

@@ -12,7 +12,7 @@ import turned_block
 
 KNOWN = study.arguments([])
 FORMULATION = KNOWN.formulation or "facet_on_facet"
-FACTORS = (1, 10, 100, 1000)
+FACTORS = (1, 10, 100, 1000) if FORMULATION == "facet_on_facet" else (1, 10, 100)  # the others may cut a step at 1000
 AUGMENTED = {"enforcement": "augmented_lagrangian"}
 SPACES = KNOWN.spaces or ["automatic"]
 
