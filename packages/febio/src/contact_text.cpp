@@ -129,10 +129,18 @@ private:
                    "answers differ where points stick"});
   }
 
+  /// Relative change of the multipliers' norm. The ray formulation compares sums of squares, whose
+  /// relative change is (1 + d)^-2 below 1 for multipliers that grow by d.
+  static double multiplier_tolerance(const Contact& c) {
+    const double tolerance = c.number("tolerance");
+    if (c.type != "sliding-elastic" || tolerance <= 0.0)
+      return tolerance;
+    return rounded(tolerance < 1.0 ? tolerance / (1.0 + std::sqrt(1.0 - tolerance)) : 1.0, 3);
+  }
+
   void augmentation(const Contact& c) {
     line("multipliers", "per_point"); // as FEBio has them
-    // The ray formulation compares sums of squares, whose relative change is twice as large.
-    const double tolerance = (c.type == "sliding-elastic" ? 0.5 : 1.0) * c.number("tolerance");
+    const double tolerance = multiplier_tolerance(c);
     if (tolerance > 0.0)
       line_unless("multiplier_tolerance", tolerance, 0.01);
     else
@@ -153,7 +161,7 @@ private:
       line("initial_overlap", "adjust  # FEBio: node_reloc, which moves the nodes instead");
     const double radius = c.number("search_radius");
     const double size = std::max(mesh_.face_size(p.primary), mesh_.face_size(p.secondary));
-    const double in_sizes = std::round(1000.0 * radius / size) / 1000.0;
+    const double in_sizes = rounded(radius / size, 3);
     if (in_sizes > 0.0 && in_sizes < 3.0)
       line("reach", number_text(in_sizes) + "  # FEBio: search_radius " + number_text(radius));
   }

@@ -3,8 +3,6 @@
 #include "deck_parts.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
 
 namespace abut::febio {
@@ -171,11 +169,8 @@ private:
     if (!(mass > 0.0))
       return Vec3::zero();
     Vec3 center = 1.0 / mass * moment;
-    for (double& x : center.v) { // digits that are known, and a person would write
-      char text[32];
-      std::snprintf(text, sizeof text, "%.12g", x);
-      x = std::strtod(text, nullptr);
-    }
+    for (double& x : center.v)
+      x = rounded(x, 12); // the digits that are known
     return center;
   }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 
 namespace abut::febio {
 
@@ -11,6 +13,12 @@ std::string number_text(double x) {
   char text[40];
   const auto end = std::to_chars(text, text + sizeof text, x == 0.0 ? 0.0 : x);
   return {text, end.ptr};
+}
+
+double rounded(double x, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return std::strtod(text, nullptr);
 }
 
 std::string quoted(const std::string& name) {

@@ -12,6 +12,8 @@ namespace abut::febio {
 
 /// The shortest text that reads back as the same number.
 std::string number_text(double x);
+/// x to so many digits.
+double rounded(double x, int digits);
 /// In quotes where YAML needs them.
 std::string quoted(const std::string& name);
 /// [a, b, c]
