@@ -103,10 +103,10 @@ int run(const RunOptions& options) {
   double written = 0.0;
 
   // A status that has not come to rest would be augmented into the multipliers of friction.
-  solver::NewtonOptions options = m.deck.newton;
+  solver::NewtonOptions newton_options = m.deck.newton;
   for (const auto& c : m.contacts)
-    options.inexact = options.inexact && c->options().friction == 0.0;
-  solver::NewtonSolver newton(*linear, options, m.deck.linear.tolerance);
+    newton_options.inexact = newton_options.inexact && c->options().friction == 0.0;
+  solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
   auto augment =
       make_augmentation(m, [&](int n, const auto& report) { progress.augmentation(n, report); });
   if (m.deck.check == deck::ModelCheck::tangent)
