@@ -42,6 +42,7 @@ class Errors:
     def __init__(self, shape, facets, approach):
         size = CORE[shape] / facets
         result = scenes.run(scene(shape, facets, approach, enforcement="augmented_lagrangian",
+                                  multipliers="per_point", penalty_factor=10,
                                   multiplier_tolerance=1e-4, max_augmentations=4))
         x, p = hertz_error.pressure_line(result.fields, "contact")
         if shape == "cylinder":
@@ -96,7 +97,7 @@ class Penalty(unittest.TestCase):
     def test_force_follows_softened_curve(self):
         """eps = f E/h with h the height of the surface cells; same mesh, same approach."""
         facets, approach = 8, 1e-4
-        exact = scenes.run(scene("sphere", facets, approach, enforcement="augmented_lagrangian",
+        exact = scenes.run(scene("sphere", facets, approach, enforcement="augmented_lagrangian", multipliers="per_point",
                                  multiplier_tolerance=1e-4, penalty_factor=30)).force()[2]
         a, _ = hertz_error.sphere(4 * exact, RADIUS, MODULUS)
         for factor in (1, 10):

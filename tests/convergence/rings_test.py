@@ -38,7 +38,8 @@ class Rings(unittest.TestCase):
     def test_quadratic_cells(self):
         for inner_primary in (True, False):
             for options in ({"penalty_factor": 100},
-                            {"enforcement": "augmented_lagrangian", "max_augmentations": 8}):
+                            {"enforcement": "augmented_lagrangian", "multipliers": "per_point", "penalty_factor": 10,
+                             "max_augmentations": 8}):
                 with self.subTest(inner_primary=inner_primary, **options):
                     runs = self.study("hex20", 2e-4, inner_primary, **options)
                     self.assertGreater(study.order(KNOWN.meshes[:2], [r.second for r in runs[:2]]), 1.0)

@@ -20,8 +20,8 @@ import scenes
 FORCE = 1e-4
 PENALTY = {"penalty": 1e3}
 STIFF = {"penalty": 1e5}  # beside mu_c slip is large, and multipliers converge slowly
-MULTIPLIERS = {"enforcement": "augmented_lagrangian", "penalty": 10, "multiplier_tolerance": 1e-9,
-               "max_augmentations": 100}
+MULTIPLIERS = {"enforcement": "augmented_lagrangian", "multipliers": "per_point", "penalty": 10,
+               "multiplier_tolerance": 1e-9, "max_augmentations": 100}
 ENFORCEMENTS = {"penalty": PENALTY, "augmented_lagrangian": MULTIPLIERS}
 # factors of the normal and the tangential force and of mu over t, in four steps
 WAYS = {

@@ -9,7 +9,8 @@
 namespace abut::contact {
 
 CornerSpace::CornerSpace(const Comm& comm, const mesh::Surface& surface)
-    : comm_(comm), surface_(surface), is_shared_(surface.node.size(), 0), owner_(surface.node.size(), comm.rank()) {
+    : comm_(comm), surface_(surface), is_shared_(surface.node.size(), 0),
+      owner_(surface.node.size(), comm.rank()) {
   const auto ranks = static_cast<std::size_t>(comm.size());
   // A node's home, picked by its number, tells every holder who the others are.
   std::vector<std::vector<Global>> held(ranks);

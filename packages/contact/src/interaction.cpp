@@ -37,8 +37,9 @@ double largest_motion(const double* now, const double* then, std::size_t nodes) 
   return std::sqrt(most);
 }
 
-/// f of the automatic penalty where the deck gives none: soft with smoothed multipliers, whose points
-/// are as accurate as their springs are soft; stiff with dual ones, which it only brings in faster.
+/// f of the automatic penalty where the deck gives none: soft with smoothed multipliers, whose
+/// points are as accurate as their springs are soft; stiff with dual ones, which it only brings in
+/// faster.
 double first_factor(const ContactOptions& options) {
   if (options.penalty_factor > 0.0)
     return options.penalty_factor;
@@ -55,8 +56,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       options_(std::move(options)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
-      corners_(comm, primary_), factor_(first_factor(options_)),
-      size_(face_sizes(primary_)) {
+      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
@@ -235,8 +235,7 @@ double Interaction::penalty_of(Local face, Local facing) const {
     return penalty_scale_ * options_.penalty;
   const double inverse_depth =
       primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face] : facing_.inverse_depth(facing);
-  return penalty_scale_ * factor_ * softest_modulus_ * inverse_depth *
-         stretch_[face];
+  return penalty_scale_ * factor_ * softest_modulus_ * inverse_depth * stretch_[face];
 }
 
 /// Active points grouped by primary face, the face that carries the force and the anchor's face.

@@ -32,8 +32,7 @@ SecondaryNodes secondary_nodes(const FacingSurface& surface, Local facing, Local
 /// that turn its force would outweigh all others: they are taken for one that is not deeper than
 /// this.
 void moderate(ContactPoint& c, const PointState& state, double size) {
-  const double excess =
-      state.pressure - state.multiplier - moderate_depth * size * state.penalty;
+  const double excess = state.pressure - state.multiplier - moderate_depth * size * state.penalty;
   if (excess > 0.0 && c.ray)
     c.multiplier -= excess;
 }

@@ -293,7 +293,8 @@ template <class V> void describe(V& v, solver::NewtonOptions& o) {
            {{"automatic", LineSearch::automatic, "shorten a step that makes things worse"},
             {"none", LineSearch::none, "full Newton steps"}},
            "of the Newton step");
-  v.optional("inexact", o.inexact, "without friction, solves that an augmentation will follow stop early");
+  v.optional("inexact", o.inexact,
+             "without friction, solves that an augmentation will follow stop early");
 }
 
 template <class V> void describe(V& v, solver::LinearOptions& o) {

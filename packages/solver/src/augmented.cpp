@@ -6,7 +6,7 @@
 namespace abut::solver {
 
 namespace {
-constexpr double loosest = 1e-3;       ///< tolerance of a solve that multipliers change after
+constexpr double loosest = 1e-3;        ///< tolerance of a solve that multipliers change after
 constexpr double share_of_change = 0.1; ///< of the last change of the multipliers
 } // namespace
 
@@ -37,8 +37,8 @@ AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
     }
     ++result.augmentations;
     if (newton_.options().inexact)
-      tolerance = std::clamp(share_of_change * result.report.change, finest,
-                             std::max(loosest, finest));
+      tolerance =
+          std::clamp(share_of_change * result.report.change, finest, std::max(loosest, finest));
   }
   result.converged = true;
   result.stalled = result.report.stalled && !result.report.converged;

@@ -72,9 +72,10 @@ INSTANTIATE_TEST_SUITE_P(
             "check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
-             "valid: primary, secondary, formulation, enforcement, penalty_factor, penalty, "
-             "penalty_curve, update_penalty, friction, friction_curve, friction_map, two_pass, "
-             "tension, tied, tie_distance, offset, initial_overlap, tangent, points, reach, "
+             "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
+             "penalty_factor, penalty, penalty_curve, update_penalty, friction, friction_curve, "
+             "friction_map, friction_switching, two_pass, tension, tied, tie_distance, offset, "
+             "initial_overlap, tangent, points, reach, "
              "projection_margin, segment_updates, multiplier_tolerance, gap_tolerance, gap_limit, "
              "min_augmentations, max_augmentations"},
         Case{1, "", "d.yaml:1: missing key 'mesh' (where the mesh comes from)"},

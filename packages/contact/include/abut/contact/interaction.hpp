@@ -43,7 +43,7 @@ struct ContactSummary {
 
 /// What the next augmentation would do.
 struct Augmentation {
-  double change = 0.0;    ///< relative change of the multipliers, L2 [1]
+  double change = 0.0; ///< relative change of the multipliers, L2 [1]
   /// Largest violation over face size: penetration and motion in stick, at points, or averaged at
   /// those corners whose faces are closed when the multipliers live there [1].
   double gap = 0.0;
@@ -110,9 +110,9 @@ public:
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
   /// for deep points. For checks.
   void set_exact_tangent(bool exact) { exact_tangent_ = exact; }
-  /// Which displacements of the primary's nodes are prescribed, (surface nodes), bits 1, 2, 4 for x,
-  /// y, z: a node of the dual law that cannot move along the normal has no multiplier of its own.
-  /// Collective.
+  /// Which displacements of the primary's nodes are prescribed, (surface nodes), bits 1, 2, 4 for
+  /// x, y, z: a node of the dual law that cannot move along the normal has no multiplier of its
+  /// own. Collective.
   void set_prescribed(const std::vector<char>& directions);
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t) { end_ = t; }
@@ -294,8 +294,8 @@ private:
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
-  std::vector<Multiplier> next_; ///< (I,P) proposed
-  bool proposed_ = false;        ///< for the present configuration
+  std::vector<Multiplier> next_;                    ///< (I,P) proposed
+  bool proposed_ = false;                           ///< for the present configuration
   double violation_ = 0.0, violation_length_ = 0.0; ///< of this rank, see Augmentation
   std::array<double, 2> judged_{};                  ///< gap and change of the proposal
   bool increments_ = false; ///< smoothed multipliers grow by averages of what springs carry

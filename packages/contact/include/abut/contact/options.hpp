@@ -63,10 +63,10 @@ struct ContactOptions {
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
 
-  double penalty_factor = 0.0;  ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
-  double penalty = 0.0;         ///< eps itself, 0 means automatic [pressure/length]
-  std::string penalty_curve;    ///< factor on the penalty over t
-  bool update_penalty = false;  ///< A of the automatic penalty is the area of the last step
+  double penalty_factor = 0.0; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
+  double penalty = 0.0;        ///< eps itself, 0 means automatic [pressure/length]
+  std::string penalty_curve;   ///< factor on the penalty over t
+  bool update_penalty = false; ///< A of the automatic penalty is the area of the last step
 
   double friction = 0.0;      ///< coefficient mu [1]
   std::string friction_curve; ///< factor on mu over t

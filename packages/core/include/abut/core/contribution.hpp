@@ -71,8 +71,8 @@ public:
   /// Square of the residual norm that rounding of positions makes, of this rank's cells [force^2].
   virtual double round_off_force2() const { return 0.0; }
 
-  /// Whether the last prepared residual follows the true laws on this rank; false while a law stands
-  /// in for another on the way there. A solve does not end before all are settled.
+  /// Whether the last prepared residual follows the true laws on this rank; false while a law
+  /// stands in for another on the way there. A solve does not end before all are settled.
   virtual bool settled() const { return true; }
 
   virtual void accept() {} ///< the step converged: trial state becomes history

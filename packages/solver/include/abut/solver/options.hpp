@@ -28,7 +28,7 @@ struct NewtonOptions {
   int max_iterations = 25;
   LineSearch line_search = LineSearch::automatic;
   bool inexact = true; ///< without friction: solves that an augmentation follows stop early
-  std::string nox; ///< NOX parameter list as XML text, merged over abut's own
+  std::string nox;     ///< NOX parameter list as XML text, merged over abut's own
 };
 
 /// Load parameter t from 0 to `end`.
