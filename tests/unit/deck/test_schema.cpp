@@ -67,7 +67,7 @@ TEST(Schema, TakesDefaultsAndRangesFromTheDeclaration) {
   const Field& contact = find(top, "contact");
   EXPECT_EQ(find(contact, "penalty_factor").initial,
             number_text(abut::contact::ContactOptions().penalty_factor));
-  EXPECT_EQ(find(contact, "penalty_factor").range, "> 0");
+  EXPECT_EQ(find(contact, "penalty_factor").range, ">= 0");
   EXPECT_EQ(find(contact, "penalty").unit, "pressure/length");
   EXPECT_TRUE(find(contact, "primary").required);
   EXPECT_EQ(find(contact, "enforcement").initial, "penalty");
@@ -100,8 +100,8 @@ TEST(Schema, JsonIsASchemaWithTheSameKeys) {
   EXPECT_EQ(json["required"], (nlohmann::json{"mesh", "bodies"}));
   const auto& contact = json["properties"]["contact"]["additionalProperties"];
   EXPECT_EQ(contact["additionalProperties"], false);
-  EXPECT_EQ(contact["properties"]["penalty_factor"]["exclusiveMinimum"], 0.0);
-  EXPECT_EQ(contact["properties"]["penalty_factor"]["default"], 10);
+  EXPECT_EQ(contact["properties"]["multiplier_tolerance"]["exclusiveMinimum"], 0.0);
+  EXPECT_EQ(contact["properties"]["multiplier_tolerance"]["default"], 0.01);
   EXPECT_EQ(contact["properties"]["enforcement"]["enum"][1], "augmented_lagrangian");
   const auto& poisson =
       json["properties"]["materials"]["additionalProperties"]["properties"]["poisson"];
