@@ -40,7 +40,6 @@ Json contact_json(const Model& m, const State& s) {
     all[m.contacts[i]->name()] = {
         {"formulation", formulation_name(m.contacts[i]->options().formulation)},
         {"enforcement", augmented ? "augmented_lagrangian" : "penalty"},
-        {"penalty_factor", m.contacts[i]->penalty_factor()},
         {"active_points", c.active_points},
         {"stick_points", c.stick_points},
         {"slip_points", c.slip_points},
@@ -52,7 +51,8 @@ Json contact_json(const Model& m, const State& s) {
         {"flips", c.flips},
         {"friction_dissipation", c.dissipation},
         {"penalty_energy", c.penalty_energy},
-        {"initial_overlap", c.initial_overlap}};
+        {"initial_overlap", c.initial_overlap},
+        {"penalty_factor", m.contacts[i]->penalty_factor()}};
   }
   return all;
 }

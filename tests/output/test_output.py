@@ -24,7 +24,7 @@ SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "newton_iterations", 
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
            "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",
-           "friction_dissipation", "penalty_energy", "initial_overlap"]
+           "friction_dissipation", "penalty_energy", "initial_overlap", "penalty_factor"]
 
 DECK = {
     "title": "Two blocks",
