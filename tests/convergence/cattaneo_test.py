@@ -28,7 +28,7 @@ KNOWN = study.arguments([8])
 MAPS = (("facet_on_facet", "incremental"), ("sliding_elastic", "inclined_ray"),
         ("sliding_elastic", "incremental"))
 AUGMENTED = {"enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-2, "max_augmentations": 50}
-ENFORCEMENTS = {"penalty": {}, **{space: {**AUGMENTED, "multipliers": space} for space in KNOWN.spaces or ["automatic"]}}
+ENFORCEMENTS = {"penalty": {}, **{space: {**AUGMENTED, "multipliers": space} for space in KNOWN.spaces or ["per_point"]}}
 
 
 def whole(path):

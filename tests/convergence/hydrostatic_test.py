@@ -50,7 +50,8 @@ class Plane(unittest.TestCase):
 
     def unnested(self, angle, element="hex8", **options):
         e = run({"shape": "plane", "angle": angle, "lower_height": 1.5, "upper_height": 1.5}, 4, element,
-                enforcement="augmented_lagrangian", max_augmentations=5, **options)
+                enforcement="augmented_lagrangian", multipliers="per_point", penalty_factor=10,
+                max_augmentations=5, **options)
         print(f"plane {angle:2d}, 3:2, {element} {options}  {e}")
         self.assertGreater(e.active, 0)
         self.assertLess(abs(e.mean), 2e-3)

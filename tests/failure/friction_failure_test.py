@@ -23,6 +23,7 @@ def each():
 def pair(formulation, friction_map, enforcement, **changes):
     return {"pair": {"primary": "upper_bottom", "secondary": "lower_top", "formulation": formulation,
                      "friction_map": friction_map, "enforcement": enforcement, "friction": MU,
+                     "multipliers": "per_point",
                      "multiplier_tolerance": 1e-6, "max_augmentations": 50, **changes}}
 
 
