@@ -38,14 +38,7 @@ KOKKOS_INLINE_FUNCTION double element_residual(const ReferenceCell<C>& cell, con
       smallest = J < smallest ? J : smallest;
     }
     const Mat<T, 3> stress = material.stress(point.deformation);
-    for (int i = 0; i < 3; ++i) {
-      T q[3];
-      for (int k = 0; k < 3; ++k)
-        q[k] = point.volume * (stress[i][0] * point.map[k][0] + stress[i][1] * point.map[k][1] +
-                               stress[i][2] * point.map[k][2]);
-      for (int a = 0; a < n; ++a)
-        r[i][a] += q[0] * cell.dN[p][0][a] + q[1] * cell.dN[p][1][a] + q[2] * cell.dN[p][2][a];
-    }
+    add_internal_force(cell.dN[p], point, stress, r);
   }
   return smallest;
 }

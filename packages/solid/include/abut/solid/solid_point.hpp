@@ -100,4 +100,19 @@ template <class T> struct SolidPoint {
   }
 };
 
+/// Adds the nodal forces (3, nodes) of the stress at a point. dN: by the reference coordinates.
+template <int nodes, class T>
+KOKKOS_INLINE_FUNCTION void add_internal_force(const double (&dN)[3][nodes],
+                                               const SolidPoint<T>& point, const Mat<T, 3>& stress,
+                                               T (&r)[3][nodes]) {
+  for (int i = 0; i < 3; ++i) {
+    T q[3];
+    for (int k = 0; k < 3; ++k)
+      q[k] = point.volume * (stress[i][0] * point.map[k][0] + stress[i][1] * point.map[k][1] +
+                             stress[i][2] * point.map[k][2]);
+    for (int a = 0; a < nodes; ++a)
+      r[i][a] += q[0] * dN[0][a] + q[1] * dN[1][a] + q[2] * dN[2][a];
+  }
+}
+
 } // namespace abut::solid
