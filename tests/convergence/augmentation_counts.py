@@ -9,13 +9,13 @@ finer one is; covered_block: moduli exchanged, the softer and finer one above is
 The gap is the largest weighted one at nodes whose faces are closed (means with the corner functions; with their dual
 basis for dual multipliers), over the face size.
 """
-import argparse
 import itertools
 import re
 
 import pressure_error
 import pressure_study
 import scenes
+import tables
 
 
 def block_on_block(lower=8, upper=7, upper_primary=False, moduli=(1, 4), **options):
@@ -68,29 +68,19 @@ class Count:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--abut", default=scenes.EXECUTABLE)
+    parser = tables.parser(__doc__, ["facet_on_facet"])
     parser.add_argument("--scenes", nargs="+", default=["paraboloid", "block", "hard_block", "covered_block"], choices=list(SCENES))
     parser.add_argument("--factors", type=float, nargs="+", default=[1, 10, 100])
-    parser.add_argument("--formulations", nargs="+", default=["facet_on_facet"])
-    parser.add_argument("--spaces", nargs="+")
     parser.add_argument("--gap", type=float, default=1e-4)
-    parser.add_argument("--set", nargs="+", default=[], metavar="KEY=VALUE")
-    known = parser.parse_args()
-    scenes.EXECUTABLE = known.abut
-    spaces = known.spaces or scenes.words_of("multipliers") or [None]
-    more = scenes.settings(known.set)
+    known = tables.parse(parser)
     augmented = {"enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e6, "gap_tolerance": known.gap,
                  "max_augmentations": 50}
-    for name, formulation, space, factor in itertools.product(known.scenes, known.formulations, spaces, known.factors):
+    for name, formulation, space, factor in itertools.product(known.scenes, known.formulations, known.spaces, known.factors):
         for enforcement in ({}, augmented):
             options = {"formulation": formulation, "penalty_factor": factor, **enforcement,
-                       **({"multipliers": space} if space else {}), **more}
-            label = f"{name} {formulation} {space or ''} f={factor:g} {'AL' if enforcement else 'penalty'}"
-            try:
-                print(f"{label:60s}{Count(name, **options)}", flush=True)
-            except scenes.RunFailed as failure:
-                print(f"{label:60s}{str(failure).strip().splitlines()[-1]}", flush=True)
+                       "multipliers": space, **known.more}
+            label = f"{name} {formulation} {space} f={factor:g} {'AL' if enforcement else 'penalty'}"
+            tables.row(label, 60, lambda: Count(name, **options))
 
 
 if __name__ == "__main__":

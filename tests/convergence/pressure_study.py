@@ -7,13 +7,13 @@ Meshes count facets for each contact radius a = 0.05. With more than one load th
 facet and the errors are means over the loads (largest in brackets). Columns in per cent: facets (mean over points; L2
 over all, r < 0.9 a; n-facet: mean of nodal values), nodal field (L2, inner, at the center), points, force, counts.
 """
-import argparse
 import itertools
 
 import numpy
 
 import pressure_error
 import scenes
+import tables
 import turned_block
 
 RADIUS, CONTACT, APPROACH, POISSON = 1, 0.05, 0.0031, 0.3
@@ -107,34 +107,23 @@ class Scores:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--abut", default=scenes.EXECUTABLE)
+    parser = tables.parser(__doc__, turned_block.FORMULATIONS)
     parser.add_argument("--meshes", type=int, nargs="+", default=[2, 4])
-    parser.add_argument("--formulations", nargs="+", default=turned_block.FORMULATIONS)
-    parser.add_argument("--spaces", nargs="+")
     parser.add_argument("--cases", nargs="+", default=["f10", "f100", "AL"])
     parser.add_argument("--element", default="hex8")
     parser.add_argument("--loads", type=int, default=1)
-    parser.add_argument("--set", nargs="+", default=[], metavar="KEY=VALUE")
     parser.add_argument("--two-bodies", nargs="+", default=[], metavar="RATIO:FACETS")
     parser.add_argument("--stiff-primary", action="store_true")
-    known = parser.parse_args()
-    scenes.EXECUTABLE = known.abut
-    spaces = known.spaces or scenes.words_of("multipliers") or [None]
-    more = scenes.settings(known.set)
+    known = tables.parse(parser)
     print(f"{'':50s}" + "".join(f"{name:>{7 if known.loads == 1 else 15}s}" for name in
                                  ("facet", "inner", "n-facet", "nodal", "inner", "center", "points", "inner")))
-    for formulation, space, word, mesh in itertools.product(known.formulations, spaces, known.cases, known.meshes):
-        options = {"formulation": formulation, **case(word), **({"multipliers": space} if space else {}), **more}
+    for formulation, space, word, mesh in itertools.product(known.formulations, known.spaces, known.cases, known.meshes):
+        options = {"formulation": formulation, **case(word), "multipliers": space, **known.more}
         scene_options = {"element": known.element, "approaches": loads(mesh, known.loads), **options}
         scene_list = [(two_bodies(float(b.split(":")[0]), mesh, float(b.split(":")[1]), known.stiff_primary,
                                   **scene_options), b) for b in known.two_bodies] or [(deck(mesh, **scene_options), "")]
         for scene, name in scene_list:
-            label = f"{formulation} {space or ''} {word} {name} nf={mesh}"
-            try:
-                print(f"{label:50s}{Scores(scene)}", flush=True)
-            except scenes.RunFailed as failure:
-                print(f"{label:50s} {str(failure).strip().splitlines()[-1]}", flush=True)
+            tables.row(f"{formulation} {space} {word} {name} nf={mesh}", 50, lambda: Scores(scene))
 
 
 if __name__ == "__main__":

@@ -7,12 +7,12 @@ A step that fails is cut, so that the rest of the path is still seen: `2 of 12 f
 that did not converge at once, `stops at 7` that no cut helped. The other cells hold linear solves for each step,
 the predictor's included, and in brackets those of the worst step.
 """
-import argparse
 import itertools
 import pathlib
 import re
 
 import scenes
+import tables
 
 DECK = pathlib.Path(__file__).resolve().parents[2] / "input/friction_switching/turned_block.yaml"
 STEPS = 12
@@ -60,26 +60,18 @@ def run(options, adaptive=True, seconds=300):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--abut", default=scenes.EXECUTABLE)
+    parser = tables.parser(__doc__, FORMULATIONS)
     parser.add_argument("--factors", type=float, nargs="+", default=[1, 10, 100, 1000])
-    parser.add_argument("--formulations", nargs="+", default=FORMULATIONS)
     parser.add_argument("--enforcements", nargs="+", default=ENFORCEMENTS)
-    parser.add_argument("--spaces", nargs="+")
     parser.add_argument("--switching", nargs="+")
-    parser.add_argument("--set", nargs="+", default=[], metavar="KEY=VALUE")
-    known = parser.parse_args()
-    scenes.EXECUTABLE = known.abut
-    keys = {"formulation": known.formulations, "enforcement": known.enforcements}
-    for key, given in (("multipliers", known.spaces), ("friction_switching", known.switching)):
-        keys[key] = given or scenes.words_of(key)
-    keys = {key: words for key, words in keys.items() if words}
-    more = scenes.settings(known.set)
+    known = tables.parse(parser)
+    keys = {"formulation": known.formulations, "enforcement": known.enforcements, "multipliers": known.spaces,
+            "friction_switching": known.switching or scenes.words_of("friction_switching")}
     print(f"{'':76s}" + "".join(f"{'f = %g' % f:>16s}" for f in known.factors))
     for words in itertools.product(*keys.values()):
         row = []
         for factor in known.factors:
-            options = {**dict(zip(keys, words)), "penalty_factor": factor, **more}
+            options = {**dict(zip(keys, words)), "penalty_factor": factor, **known.more}
             row.append(run(options))
         print(f"{' '.join(words):76s}" + "".join(f"{str(cell):>16s}" for cell in row), flush=True)
 

@@ -6,7 +6,6 @@ usage: pressure_ratios.py [--abut PROGRAM] [--ratios 8:7 5:8 ...] [--elements he
 Ratios are faces of the primary to faces of the secondary along an edge of the unit square. Cells: root mean square
 (largest) deviation from the mean in per cent, of the points, of the nodal pressure.
 """
-import argparse
 import itertools
 
 import numpy
@@ -14,6 +13,7 @@ import numpy
 import contact_patch_test
 import pressure_error
 import scenes
+import tables
 
 LOAD = contact_patch_test.P0
 MULTIPLIERS = {"enforcement": "augmented_lagrangian", "max_augmentations": 200}
@@ -62,27 +62,18 @@ class Deviation:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--abut", default=scenes.EXECUTABLE)
+    parser = tables.parser(__doc__, ["facet_on_facet"])
     parser.add_argument("--ratios", nargs="+", default=["8:7", "12:8", "5:8", "8:27", "27:8"])
     parser.add_argument("--elements", nargs="+", default=["hex8"])
-    parser.add_argument("--formulations", nargs="+", default=["facet_on_facet"])
-    parser.add_argument("--spaces", nargs="+")
     parser.add_argument("--cases", nargs="+", default=list(CASES))
-    parser.add_argument("--set", nargs="+", default=[], metavar="KEY=VALUE")
-    known = parser.parse_args()
-    scenes.EXECUTABLE = known.abut
-    more = scenes.settings(known.set)
+    known = tables.parse(parser)
     print(f"{'':60s}{'points':^17s}{'nodal':^17s}")
     for element, formulation, space, case, ratio in itertools.product(
-            known.elements, known.formulations, known.spaces or scenes.words_of("multipliers"), known.cases, known.ratios):
+            known.elements, known.formulations, known.spaces, known.cases, known.ratios):
         primary, secondary = map(int, ratio.split(":"))
-        options = {"formulation": formulation, **CASES[case], **({"multipliers": space} if space else {}), **more}
-        label = f"{element} {formulation} {space or ''} {case} {ratio}"
-        try:
-            print(f"{label:60s}{Deviation(scene(primary, secondary, element, **options))}", flush=True)
-        except scenes.RunFailed as failure:
-            print(f"{label:60s}{str(failure).strip().splitlines()[-1]}", flush=True)
+        options = {"formulation": formulation, **CASES[case], "multipliers": space, **known.more}
+        tables.row(f"{element} {formulation} {space} {case} {ratio}", 60,
+                   lambda: Deviation(scene(primary, secondary, element, **options)))
 
 
 if __name__ == "__main__":
