@@ -306,14 +306,6 @@ void Interaction::accept_nodes() {
   dual_->accept();
 }
 
-void Interaction::reject_nodes() {
-  dual_->reject();
-}
-
-Augmentation Interaction::node_augmentation() const {
-  return dual_->augmentation();
-}
-
 double Interaction::node_pressure(Local face, int face_node) const {
   return dual_->face_value(face, face_node, [](const DualNode& n) { return n.pressure; });
 }

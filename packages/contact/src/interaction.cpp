@@ -228,14 +228,17 @@ void Interaction::prepare(const NodalFields& fields) {
   build_pairs();
 }
 
-/// eps = f E A/V: E of the softer body, A/V of the primary elements, or of the secondary ones when
-/// the primary is rigid (theory: eq. 595, 596).
+/// A/V of the primary element, or of the secondary one when the primary is rigid.
+double Interaction::inverse_depth(Local face, Local facing) const {
+  return primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face]
+                                      : facing_.inverse_depth(facing);
+}
+
+/// eps = f E A/V with E of the softer body (theory: eq. 595, 596).
 double Interaction::penalty_of(Local face, Local facing) const {
   if (options_.penalty > 0.0)
     return penalty_scale_ * options_.penalty;
-  const double inverse_depth =
-      primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face] : facing_.inverse_depth(facing);
-  return penalty_scale_ * factor_ * softest_modulus_ * inverse_depth * stretch_[face];
+  return penalty_scale_ * factor_ * softest_modulus_ * inverse_depth(face, facing) * stretch_[face];
 }
 
 /// Active points grouped by primary face, the face that carries the force and the anchor's face.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Multipliers: what the next ones are, and whether another solve with them is worth it.
-#include "constants.hpp"
+#include "dual_law.hpp"
 #include "point_search.hpp"
 
 #include <algorithm>
@@ -51,11 +51,13 @@ Interaction::Multiplier Interaction::base(const PointState& state,
   return {};
 }
 
-void Interaction::propose() {
+void Interaction::propose(Augmentation& result) {
   next_.assign(points_.size(), {});
   proposed_ = true;
   if (options_.space() == Multipliers::smoothed)
-    propose_averages();
+    propose_averages(result);
+  else
+    measure_points(result);
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
       const Local i = point_index(f, p);
@@ -72,11 +74,11 @@ void Interaction::propose() {
 
 /// Averages of the tractions at the corners, read back by the points. The pressures stay apart from
 /// them by what the springs carry, as little as an average differs from the pressure itself.
-void Interaction::propose_averages() {
+void Interaction::propose_averages(Augmentation& result) {
   std::vector<double> at_corners(std::size_t(primary_.num_nodes()) * sums, 0.0);
   each_covered_point([&](Local f, int p, const PointState& state, const double* N) {
     const auto at = primary_point(shape(f, p), primary_nodes(f));
-    const Multiplier from = base(state, at);
+    const Multiplier& from = next_[point_index(f, p)] = base(state, at);
     const Vec3 present = state.traction - state.pressure * state.normal;
     const Vec3 spring = present - turned_traction(state.history.carried, at);
     const bool sticks = state.status() == Status::stick;
@@ -96,8 +98,6 @@ void Interaction::propose_averages() {
     }
   });
   corners_.sum(at_corners, sums);
-  violation_ = 0.0;
-  violation_length_ = 0.0;
   for (std::size_t k = 0; k < at_corners.size(); k += sums) {
     double* s = &at_corners[k];
     if (s[weight] <= 0.0)
@@ -108,19 +108,18 @@ void Interaction::propose_averages() {
     double most = s[closed] >= whole ? -s[gap] : 0.0;
     if (s[sticking] >= whole)
       most = std::max(most, norm(Vec3{{s[motion], s[motion + 1], s[motion + 2]}}));
-    violation_ = std::max(violation_, most / s[size]);
-    violation_length_ = std::max(violation_length_, most);
+    result.gap = std::max(result.gap, most / s[size]);
+    result.length = std::max(result.length, most);
   }
-  each_covered_point([&](Local f, int p, const PointState& state, const double* N) {
+  each_covered_point([&](Local f, int p, const PointState&, const double* N) {
     const auto read = [&](int column) {
       return corners_.interpolate(f, N, at_corners, column, sums);
     };
-    const Multiplier from = base(state, primary_point(shape(f, p), primary_nodes(f)));
-    Multiplier& next = next_[point_index(f, p)];
-    next.pressure = from.pressure + read(pressure);
+    Multiplier& next = next_[point_index(f, p)]; // holds its base
+    next.pressure += read(pressure);
     if (!options_.tied && !options_.tension)
       next.pressure = std::max(0.0, next.pressure);
-    next.shear = from.shear + Vec3{{read(shear), read(shear + 1), read(shear + 2)}};
+    next.shear += Vec3{{read(shear), read(shear + 1), read(shear + 2)}};
   });
 }
 
@@ -138,8 +137,7 @@ void Interaction::each_covered_point(
 }
 
 /// Largest penetration and motion in stick, point by point.
-void Interaction::measure_points() {
-  violation_ = violation_length_ = 0.0;
+void Interaction::measure_points(Augmentation& result) const {
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
       const PointState& state = points_[point_index(f, p)];
@@ -151,8 +149,8 @@ void Interaction::measure_points() {
         most = std::max(most, norm(state.traction - state.pressure * state.normal -
                                    turned_traction(state.history.carried, at)) /
                                   state.penalty);
-      violation_ = std::max(violation_, most / size_[f]);
-      violation_length_ = std::max(violation_length_, most);
+      result.gap = std::max(result.gap, most / size_[f]);
+      result.length = std::max(result.length, most);
     }
 }
 
@@ -195,14 +193,13 @@ Augmentation Interaction::augmentation() {
   Augmentation result;
   const auto judge = [&] {
     if (dual_) {
-      result = node_augmentation();
+      result = dual_->augmentation();
     } else {
-      propose();
-      if (options_.space() == Multipliers::per_point)
-        measure_points();
+      result = {};
+      propose(result);
       result.change = relative_change();
-      result.gap = comm_.max(violation_);
-      result.length = comm_.max(violation_length_);
+      result.gap = comm_.max(result.gap);
+      result.length = comm_.max(result.length);
     }
     return (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
            (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);

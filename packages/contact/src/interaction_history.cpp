@@ -2,6 +2,7 @@
 // What points remember: the start and the end of a step.
 #include "abut/core/error.hpp"
 #include "constants.hpp"
+#include "dual_law.hpp"
 #include "point_search.hpp"
 
 #include <algorithm>
@@ -146,7 +147,7 @@ void Interaction::accept() {
 
 void Interaction::reject() {
   if (dual_)
-    reject_nodes();
+    dual_->reject();
   for (PointState& p : points_) {
     p.history = p.converged;
     p.last_shear = p.converged.shear;

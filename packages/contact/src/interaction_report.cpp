@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace abut::contact {
 
@@ -77,30 +76,6 @@ std::vector<PointRecord> Interaction::records() const {
 
 namespace {
 
-/// Largest average over the ranks that share nodes: each node is summed on one rank picked by its
-/// id.
-double largest_average(const Comm& comm, const std::vector<Global>& node,
-                       const std::vector<double>& weight, const std::vector<double>& sum) {
-  struct Entry {
-    Global node;
-    double weight, sum;
-  };
-  std::vector<std::vector<Entry>> send(static_cast<std::size_t>(comm.size()));
-  for (std::size_t i = 0; i < node.size(); ++i)
-    send[static_cast<std::size_t>(node[i] % comm.size())].push_back({node[i], weight[i], sum[i]});
-  std::unordered_map<Global, std::pair<double, double>> total;
-  for (const auto& list : comm.exchange(send))
-    for (const Entry& e : list) {
-      total[e.node].first += e.weight;
-      total[e.node].second += e.sum;
-    }
-  double largest = 0.0;
-  for (const auto& [id, t] : total)
-    if (t.first > 0.0)
-      largest = std::max(largest, t.second / t.first);
-  return comm.max(largest);
-}
-
 /// Sums and extremes over the points of one rank.
 struct Tally {
   enum { force, area = 3, tangential, energy, dissipation, sums };
@@ -168,8 +143,13 @@ ContactSummary Interaction::summary() const {
   s.max_slip = comm_.max(tally.largest[Tally::slip]);
   s.initial_overlap = comm_.max(tally.largest[Tally::overlap]);
   s.min_gap = comm_.min(tally.least_gap);
-  const NodalSums nodes = nodal_sums();
-  s.max_pressure = largest_average(comm_, primary_.node, nodes.weight, nodes.pressure);
+  NodalSums nodes = nodal_sums();
+  corners_.sum(nodes.weight);
+  corners_.sum(nodes.pressure);
+  for (std::size_t n = 0; n < nodes.weight.size(); ++n)
+    if (nodes.weight[n] > 0.0)
+      s.max_pressure = std::max(s.max_pressure, nodes.pressure[n] / nodes.weight[n]);
+  s.max_pressure = comm_.max(s.max_pressure);
   return s;
 }
 

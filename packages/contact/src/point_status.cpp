@@ -218,17 +218,17 @@ bool Interaction::within_cone(Local face, Local facing, const PointState& state,
   if (options_.friction_switching == FrictionSwitching::return_map || !state.was_pressed ||
       state.swaps < patience)
     return pressure > 0.0 && norm(trial) <= limit;
-  const double inverse_depth =
-      primary_.modulus[face] > 0.0 ? primary_.inverse_depth[face] : facing_.inverse_depth(facing);
-  const double share =
-      std::min(1.0, soft_switching * softest_modulus_ * inverse_depth / state.penalty);
+  const double share = std::min(1.0, soft_switching * softest_modulus_ *
+                                         inverse_depth(face, facing) / state.penalty);
   return pressure > 0.0 && norm((1.0 - share) * state.last_shear + share * trial) <= limit;
 }
 
 /// The traction that switching starts from in the next configuration.
 void Interaction::keep_iterate() {
+  if (friction_ == 0.0)
+    return;
   if (dual_)
-    dual_->keep_iterate(friction_);
+    return dual_->keep_iterate(friction_);
   for (PointState& state : points_) {
     const Vec3 now = state.traction - state.pressure * state.normal;
     if (state.was_pressed && state.pressed() &&

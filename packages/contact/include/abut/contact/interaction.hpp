@@ -210,11 +210,9 @@ private:
   void add_node_cells(Connectivity& cells);
   void add_node_candidates(Connectivity& cells, const std::vector<Local>& cell_face) const;
   void scatter_node_cells(const TangentScatter& scatter);
-  Augmentation node_augmentation() const;
   void store_node_shear();
   void augment_nodes();
   void accept_nodes();
-  void reject_nodes();
   double node_pressure(Local face, int face_node) const;
   Vec3 node_shear(Local face, int face_node) const;
   double field_pressure(Local face, int point) const;
@@ -226,16 +224,17 @@ private:
     Vec3 shear = Vec3::zero();
   };
   void choose_factor();
-  void propose();
-  void propose_averages();
+  void propose(Augmentation& result);
+  void propose_averages(Augmentation& result);
   Multiplier base(const PointState& state, const PrimaryPoint<double>& at) const;
-  void measure_points();
+  void measure_points(Augmentation& result) const;
   double relative_change() const;
   /// visit(face, point, state, corner functions), for all points with a partner.
   void each_covered_point(
       const std::function<void(Local, int, const PointState&, const double*)>& visit) const;
 
   void build_pairs();
+  double inverse_depth(Local face, Local facing) const;
   double penalty_of(Local face, Local facing) const;
   Local point_index(Local face, int p) const { return first_point_[face] + p; }
   int face_points(Local face) const { return first_point_[face + 1] - first_point_[face]; }
@@ -294,11 +293,10 @@ private:
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
-  std::vector<Multiplier> next_;                    ///< (I,P) proposed
-  bool proposed_ = false;                           ///< for the present configuration
-  double violation_ = 0.0, violation_length_ = 0.0; ///< of this rank, see Augmentation
-  std::array<double, 2> judged_{};                  ///< gap and change of the proposal
-  bool increments_ = false; ///< smoothed multipliers grow by averages of what springs carry
+  std::vector<Multiplier> next_;   ///< (I,P) proposed
+  bool proposed_ = false;          ///< for the present configuration
+  std::array<double, 2> judged_{}; ///< gap and change of the proposal
+  bool increments_ = false;        ///< smoothed multipliers grow by averages of what springs carry
   std::vector<double> last_gaps_, last_changes_; ///< before each augmentation of the step
 };
 
