@@ -56,7 +56,6 @@ void DualLaw::augment(const MultiplierUpdate& update) {
       update(view, n.pressure, n.traction);
     }
     n.history.multiplier = n.pressure;
-    n.swaps = 0;
   }
 }
 
@@ -79,7 +78,6 @@ void DualLaw::accept() {
     n.history.shear = n.traction;
     n.history.sliding = n.rule == PointRule::incremental_slip ? norm(n.traction) : 0.0;
     n.converged = n.history;
-    n.swaps = 0;
   }
   carried_converged_ = carried_;
 }
@@ -87,9 +85,7 @@ void DualLaw::accept() {
 void DualLaw::reject() {
   for (DualNode& n : nodes_) {
     n.history = n.converged;
-    n.last_shear = n.converged.shear;
-    n.was_pressed = n.converged.in_contact;
-    n.swaps = 0;
+    n.last = {n.converged.in_contact, false, {}};
   }
   carried_ = carried_converged_;
 }

@@ -230,7 +230,6 @@ void Interaction::augment() {
     for (int p = 0; p < face_points(f); ++p) {
       const Local i = point_index(f, p);
       PointState& state = points_[i];
-      state.swaps = 0;
       state.returns = 0; // another solve may swing for its own reasons
       state.left = -1;
       if (dual_)

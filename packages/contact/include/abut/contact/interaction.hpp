@@ -189,8 +189,8 @@ private:
   bool normal_response(Local face, PointState& state) const;
   PointRule sliding_rule(Local face, PointState& state, const ContactPoint& c,
                          const PrimaryPoint<double>& at, const Vec3* y) const;
-  bool within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
-                   double pressure) const;
+  ShearChoice switched(Local face, Local facing, const PointState& state, const Vec3& trial,
+                       const Vec3& normal, double pressure) const;
   void set_traction(Local face, int point, PointRule rule);
   void keep_iterate();
   /// The point as the kernels take it; y_previous must live as long as the result.

@@ -44,11 +44,9 @@ struct PointState {
   double pressure = 0.0;             ///< per area of the formulation's measure; < 0 only in tension
   Vec3 traction{{0, 0, 0}};          ///< on the primary, of the same measure [pressure]
   Vec3 normal{{0, 0, 0}};            ///< contact normal, from the secondary to the primary
-  Vec3 last_shear{{0, 0, 0}};        ///< of the last Newton iterate, within the cone [pressure]
-  bool was_pressed = false;          ///< then
-  Status last_status = Status::open; ///< then
-  int swaps = 0;                     ///< changes of status or of direction in this solve
-  bool beyond = false;   ///< sticks though its traction lies beyond the cone: not settled
+  SlipLine line;                     ///< of incremental_slip
+  bool settled = true;               ///< the shear is the return map's
+  ShearIterate last;                 ///< of the last Newton iterate
   int flips = 0;         ///< changes of status in this step
   bool touching = false; ///< no pressure, but stiff: bodies that just touch hold
 
