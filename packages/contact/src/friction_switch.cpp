@@ -22,8 +22,6 @@ Vec3 within(const Vec3& t, double limit) {
 
 /// The present traction by the law of the last iterate, in the plane and within the cone.
 Vec3 predicted(const ShearIterate& last, const Vec3& trial, const Vec3& normal, double limit) {
-  if (!last.pressed)
-    return Vec3::zero();
   const Vec3 t = last.slips ? slip_traction(last.line, limit, trial) : trial;
   return within(t - dot(normal, t) * normal, limit);
 }
@@ -32,6 +30,8 @@ Vec3 predicted(const ShearIterate& last, const Vec3& trial, const Vec3& normal, 
 
 ShearChoice choose_shear(const ShearIterate& last, const Vec3& trial, const Vec3& normal,
                          double limit, double share, std::optional<bool> held_slip) {
+  if (!last.pressed) // nothing to go on from
+    share = 1.0;
   const Vec3 mixed = (1.0 - share) * predicted(last, trial, normal, limit) + share * trial;
   const double size = norm(mixed);
   ShearChoice choice;

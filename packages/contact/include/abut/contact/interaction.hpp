@@ -103,8 +103,9 @@ public:
 
   /// Factors over the load parameter t on penalty and friction coefficient.
   void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
-  /// Another law of the normal traction; empty: penalty and multiplier.
-  void set_normal_law(NormalLaw law) { normal_law_ = std::move(law); }
+  /// Another law of the normal traction; empty: penalty and multiplier. Throws InputError with dual
+  /// multipliers.
+  void set_normal_law(NormalLaw law);
   /// Another update of the multipliers; empty: that of options().multipliers.
   void set_update(MultiplierUpdate update) { update_ = std::move(update); }
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
@@ -223,6 +224,10 @@ private:
     double pressure = 0.0;
     Vec3 shear = Vec3::zero();
   };
+  struct Tolerances { ///< of an augmentation, infinite where not asked
+    double change, gap, length;
+  };
+  Tolerances tolerances() const;
   void choose_factor();
   void propose(Augmentation& result);
   void propose_averages(Augmentation& result);
