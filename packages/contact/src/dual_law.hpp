@@ -49,9 +49,9 @@ struct DualNode {
   double pressure = 0.0;
   double out_of_plane = 0.0; ///< normal part of the trial traction before projection [pressure]
   Vec3 trial = Vec3::zero(), traction = Vec3::zero(); ///< tangential [pressure]
-  SlipLine line;       ///< in slip, the law made linear
-  bool settled = true; ///< the traction is the return map's
-  ShearIterate last;   ///< of the last Newton iterate
+  SlipLine line;                                      ///< in slip, the law made linear
+  bool settled = true;                                ///< the traction is the return map's
+  ShearIterate last;                                  ///< of the last Newton iterate
 
   bool active() const { return rule != PointRule::open; }
   bool pressed() const { return active() && !touching; }

@@ -66,8 +66,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
                          ContactOptions options, PhaseTimers& timers, double share)
     : comm_(comm), primary_(std::move(primary)), secondary_(std::move(secondary)),
       options_(resolved(comm, primary_, secondary_, std::move(options))), timers_(timers),
-      share_(share),
-      self_(options_.primary == options_.secondary && !options_.primary.empty()),
+      share_(share), self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
       corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)) {
   const std::string where = "contact." + options_.name + ": ";

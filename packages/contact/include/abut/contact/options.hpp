@@ -91,7 +91,7 @@ struct ContactOptions {
                                      ///< of dual ones [1]
   double gap_tolerance = 0.0; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
                               ///< multipliers where no tolerance is given [1]
-  double gap_limit = 0.0;             ///< largest penetration; 0: not asked [length]
+  double gap_limit = 0.0;     ///< largest penetration; 0: not asked [length]
   int min_augmentations = 0;
   int max_augmentations = 20;
 
