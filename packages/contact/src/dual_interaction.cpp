@@ -40,7 +40,7 @@ void Interaction::make_dual() {
 }
 
 void Interaction::set_prescribed(const std::vector<char>& directions) {
-  if (dual_)
+  if (dual_ && options_.formulation != Formulation::node_on_facet) // there each node is a point
     dual_->set_prescribed(directions);
 }
 
