@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/interaction.hpp"
 
+#include "abut/contact/anderson.hpp"
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
 #include "node_cells.hpp"
+#include "plateau_watch.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -56,7 +58,8 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       options_(std::move(options)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
-      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)) {
+      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
+      watch_(std::make_unique<PlateauWatch>(comm)), anderson_(std::make_unique<Anderson>(comm)) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
@@ -141,6 +144,15 @@ void Interaction::make_points() {
   }
   points_.resize(weight_.size());
   stretch_.assign(size_.size(), 1.0);
+  full_.assign(std::size_t(primary_.num_nodes()), 0.0);
+  double N[CornerSpace::max_corners];
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      corners_.values(f, table_[f]->rule.xi[std::size_t(p)].data(), N);
+      for (int a = 0; a < corners_.corners(f); ++a)
+        full_[std::size_t(corners_.nodes(f)[a])] += N[a] * area_[point_index(f, p)];
+    }
+  corners_.sum(full_);
 }
 
 PointShape Interaction::shape(Local face, int point) const {

@@ -46,6 +46,12 @@ enum class Multipliers {
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
+/// What the next multipliers are made of.
+enum class AugmentationRule {
+  plain,    ///< the last solve
+  anderson, ///< the last few solves, so that what they leave cancels best; without friction
+};
+
 /// Which of the two surfaces is the primary.
 enum class PrimarySide {
   as_given,
@@ -62,6 +68,7 @@ struct ContactOptions {
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
+  AugmentationRule augmentation = AugmentationRule::plain;
 
   double penalty_factor = 0.0; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
   double penalty = 0.0;        ///< eps itself, 0 means automatic [pressure/length]
@@ -86,13 +93,18 @@ struct ContactOptions {
   double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
   int segment_updates = 0;         ///< searches in a solve after which partners stay; 0: no limit
 
-  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum.
+  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum. With a
+  // maximum of zero multipliers change once, at the end of each step.
   double multiplier_tolerance = 1e-2; ///< relative change of the multipliers [1]
   double gap_tolerance = 0.0;         ///< largest penetration in face sizes; 0: not asked [1]
   double gap_limit = 0.0;             ///< largest penetration; 0: not asked [length]
   int min_augmentations = 0;
   int max_augmentations = 20;
 
+  /// Whether multipliers change at the end of a step, without another solve.
+  bool augments_at_end() const {
+    return enforcement == Enforcement::augmented_lagrangian && max_augmentations == 0;
+  }
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
   Multipliers space() const {
     return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
