@@ -9,6 +9,7 @@ namespace abut::contact {
 namespace {
 
 constexpr double doubled = 2.0;
+constexpr double longest = 10.0;     ///< change over that of the plain iteration
 constexpr double independent = 1e-6; ///< least sine^2 of a difference against the newer ones
 
 using Matrix = std::array<std::array<double, Anderson::most>, Anderson::most>;
@@ -88,6 +89,14 @@ std::vector<double> Anderson::next(const std::vector<double>& x, const std::vect
   for (std::size_t j = 0; j < depth_; ++j)
     for (std::size_t i = 0; i < g.size(); ++i)
       result[i] -= share[j] * (g[i] - pairs_[j].g[i]);
+  double change = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    change += weight[i] * (result[i] - x[i]) * (result[i] - x[i]);
+  if (comm_.sum(change) > longest * longest * sums[0]) {
+    depth_ = 0;
+    pairs_.clear();
+    result = g;
+  }
   pairs_.push_front(std::move(now));
   if (pairs_.size() > most)
     pairs_.pop_back();

@@ -2,7 +2,6 @@
 // What the nodes of the dual law remember: augmentations and the end of a step.
 #include "constants.hpp"
 #include "dual_law.hpp"
-#include "plateau_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ Vec3 present_carried(const DualNode& n) {
 
 } // namespace
 
-Augmentation DualLaw::augmentation(PlateauWatch& watch) const {
+Augmentation DualLaw::augmentation(PlateauWatch& watch, bool both_ways) const {
   double sums[2] = {0.0, 0.0};
   Augmentation result;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -29,7 +28,7 @@ Augmentation DualLaw::augmentation(PlateauWatch& watch) const {
     const Vec3 shear = n.traction - present_carried(n);
     sums[0] += n.area * (normal * normal + dot(shear, shear));
     sums[1] += n.area * (n.pressure * n.pressure + dot(n.traction, n.traction));
-    double violation = -n.gap;
+    double violation = both_ways && n.pressed() ? std::fabs(n.gap) : -n.gap;
     if (n.rule == PointRule::incremental_stick && !n.touching && n.penalty > 0.0)
       violation = std::max(violation, norm(shear) / n.penalty);
     result.gap = std::max(result.gap, violation / n.size);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An interface under the nodal law: points give their gaps to the nodes and get tractions back.
-#include "abut/contact/anderson.hpp"
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
 #include "held_nodes.hpp"
 #include "node_cells.hpp"
-#include "plateau_watch.hpp"
 #include "point_search.hpp"
 
 #include <Kokkos_Core.hpp>

@@ -130,9 +130,9 @@ public:
     return carried_[std::size_t(point) * max_corners + std::size_t(a)];
   }
 
-  /// Largest gap and motion in stick, change of the multipliers in L2; tells `watch` where.
-  /// Collective.
-  Augmentation augmentation(PlateauWatch& watch) const;
+  /// Largest penetration and motion in stick, change of the multipliers in L2; tells `watch` where.
+  /// both_ways: a gap across which a node still presses counts too. Collective.
+  Augmentation augmentation(PlateauWatch& watch, bool both_ways) const;
   /// pressures: (surface nodes) that become the multipliers, unless `update` changes them.
   void augment(const MultiplierUpdate& update, const std::vector<double>& pressures);
   /// Length slipped by a node in the step, and friction work per area.

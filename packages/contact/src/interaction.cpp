@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/interaction.hpp"
 
-#include "abut/contact/anderson.hpp"
+#include "abut/contact/side_choice.hpp"
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
 #include "node_cells.hpp"
-#include "plateau_watch.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -59,7 +58,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
       corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
-      watch_(std::make_unique<PlateauWatch>(comm)), anderson_(std::make_unique<Anderson>(comm)) {
+      watch_(comm), anderson_(comm) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
@@ -86,6 +85,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
   smallest_size_ = size_.empty() ? std::numeric_limits<double>::max()
                                  : *std::min_element(size_.begin(), size_.end());
   smallest_size_ = comm_.min(smallest_size_);
+  poor_side_ = compare_sides(comm_, primary_, secondary_).is_poor();
   make_points();
   make_dual();
 }

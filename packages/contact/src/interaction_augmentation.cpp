@@ -2,7 +2,6 @@
 // Multipliers: what the next ones are, and whether another solve with them is worth it.
 #include "constants.hpp"
 #include "dual_law.hpp"
-#include "plateau_watch.hpp"
 #include "point_search.hpp"
 
 #include <algorithm>
@@ -42,7 +41,7 @@ Interaction::Multiplier Interaction::base(const PointState& state,
 void Interaction::propose(Augmentation& result) {
   next_.assign(points_.size(), {});
   proposed_ = true;
-  watch_->look_anew();
+  watch_.look_anew();
   if (options_.space() == Multipliers::smoothed)
     propose_averages(result);
   else
@@ -110,14 +109,14 @@ void Interaction::propose_averages(Augmentation& result) {
     for (int i = 1; i < sums; ++i)
       s[i] /= s[weight];
     constexpr double whole = 1.0 - 1e-9; // at the rim of the contact the average is half open
-    double most = s[closed] >= whole ? -s[gap] : 0.0;
+    double most = s[closed] < whole ? 0.0 : increments_ ? std::fabs(s[gap]) : -s[gap];
     if (s[sticking] >= whole)
       most = std::max(most, norm(Vec3{{s[motion], s[motion + 1], s[motion + 2]}}));
     result.gap = std::max(result.gap, most / s[size]);
     result.length = std::max(result.length, most);
     const std::size_t node = k / sums;
-    watch_->violated({most / s[size], s[weight], !held_.empty() && held_[node] != 0,
-                      std::fabs(s[weight] - full_[node]) > round_off * full_[node]});
+    watch_.violated({most / s[size], s[weight], !held_.empty() && held_[node] != 0,
+                     std::fabs(s[weight] - full_[node]) > round_off * full_[node]});
   }
   each_covered_point([&](Local f, int p, const PointState&, const double* N) {
     const auto read = [&](int column) {
@@ -159,15 +158,16 @@ void Interaction::measure_points(Augmentation& result) {
       if (state.facing < 0)
         continue;
       const auto at = primary_point(shape(f, p), primary_nodes(f));
-      double most = -effective_gap(state);
+      const double gap = effective_gap(state);
+      double most = accelerates() && state.pressed() ? std::fabs(gap) : -gap;
       if (state.status() == Status::stick && state.penalty > 0.0)
         most = std::max(most, norm(state.traction - state.pressure * state.normal -
                                    turned_traction(state.history.carried, at)) /
                                   state.penalty);
       result.gap = std::max(result.gap, most / size_[f]);
       result.length = std::max(result.length, most);
-      watch_->violated({most / size_[f], area_[point_index(f, p)], 2 * held >= corners_.corners(f),
-                        covered < face_points(f)});
+      watch_.violated({most / size_[f], area_[point_index(f, p)], 2 * held >= corners_.corners(f),
+                       covered < face_points(f)});
     }
   }
 }
@@ -219,8 +219,8 @@ Augmentation Interaction::augmentation() {
   Judged& now = judged_;
   const auto judge = [&] {
     if (dual_) {
-      watch_->look_anew();
-      result = dual_->augmentation(*watch_);
+      watch_.look_anew();
+      result = dual_->augmentation(watch_, accelerates());
     } else {
       result = {};
       propose(result);
@@ -235,14 +235,14 @@ Augmentation Interaction::augmentation() {
   judge();
   if (now.settled && !now.closed && !increments_ && options_.space() == Multipliers::smoothed) {
     increments_ = true; // what averages leave open, increments close
-    watch_->clear();
+    watch_.clear();
     judge();
   }
   result.converged = now.settled && now.closed;
-  result.stalled = watch_->stalled(now);
+  result.stalled = watch_.stalled(now);
   const bool averages = options_.space() == Multipliers::smoothed && !increments_;
-  if (result.stalled || (stiffness_factor() >= stiff_factor && !(averages && !now.closed)))
-    result.cause = watch_->cause(now);
+  if (result.stalled || stiffness_factor() >= stiff_factor)
+    result.cause = watch_.cause(now, averages, dual_ != nullptr, poor_side_);
   return result;
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What points remember: the start and the end of a step.
-#include "abut/contact/anderson.hpp"
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
-#include "plateau_watch.hpp"
 #include "point_search.hpp"
 
 #include <algorithm>
@@ -149,8 +147,8 @@ void Interaction::accept() {
   x_primary_previous_ = x_primary_;
   x_secondary_previous_ = x_secondary_;
   facing_.accept();
-  watch_->clear();
-  anderson_->clear();
+  watch_.clear();
+  anderson_.clear();
   searches_ = 0;
 }
 
@@ -164,8 +162,8 @@ void Interaction::reject() {
     p.returns = p.swaps = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }
-  watch_->clear();
-  anderson_->clear();
+  watch_.clear();
+  anderson_.clear();
   searches_ = 0;
   new_step_ = true;
   frozen_ = false;

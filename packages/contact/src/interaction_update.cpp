@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the next multipliers are taken over.
-#include "abut/contact/anderson.hpp"
 #include "dual_law.hpp"
-#include "plateau_watch.hpp"
 #include "point_search.hpp"
 
 #include <algorithm>
@@ -39,6 +37,12 @@ Global Interaction::active_set() const {
   return comm_.sum(sum);
 }
 
+/// A combination may leave multipliers that are too large, and gaps across which they press.
+bool Interaction::accelerates() const {
+  return options_.augmentation == AugmentationRule::anderson && options_.friction == 0.0 &&
+         !options_.tied && !options_.tension && !update_;
+}
+
 /// The pressures that become multipliers, by points or by nodes: those proposed, or combined with
 /// earlier ones, or on half of the way to them when the contact opens and closes in turns.
 /// Collective.
@@ -62,17 +66,16 @@ std::vector<double> Interaction::next_pressures() {
     }
   const bool changed = active != last_active_;
   last_active_ = std::move(active);
-  if (watch_->cycles()) {
-    anderson_->clear();
+  if (watch_.cycles()) {
+    anderson_.clear();
     for (std::size_t i = 0; i < x.size(); ++i)
       g[i] = x[i] + halved * (g[i] - x[i]);
     return g;
   }
   const bool averages = options_.space() == Multipliers::smoothed && !increments_;
-  if (options_.augmentation == AugmentationRule::plain || options_.friction > 0.0 || averages ||
-      options_.tied || options_.tension || update_)
+  if (!accelerates() || averages)
     return g;
-  std::vector<double> next = anderson_->next(x, g, weight, changed);
+  std::vector<double> next = anderson_.next(x, g, weight, changed);
   for (double& pressure : next)
     pressure = std::max(0.0, pressure);
   return next;
@@ -92,7 +95,7 @@ void Interaction::take_multiplier(Local face, int point, bool shear) {
 void Interaction::augment() {
   if (!dual_ && !proposed_)
     augmentation();
-  watch_->add(judged_, active_set());
+  watch_.add(judged_, active_set());
   if (dual_) {
     augment_nodes();
   } else {

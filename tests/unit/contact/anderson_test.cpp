@@ -88,6 +88,19 @@ TEST(AndersonTest, StartsAfreshOnChangeOrDoubling) {
   }
 }
 
+// x <- x + b: there is no solution, and nothing to run away to.
+TEST(AndersonTest, DoesNotRunAway) {
+  const Comm comm(MPI_COMM_WORLD);
+  Iteration it(comm, {1.0, 0.5, 1e-7});
+  Anderson anderson(comm);
+  for (int k = 0; k < 8; ++k) {
+    const auto x = it.x;
+    it.x = anderson.next(it.x, it.next(), it.weight, false);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_LT(std::fabs(it.x[i] - x[i]), 11.0);
+  }
+}
+
 TEST(AndersonTest, StandsWhereItIs) {
   const Comm comm(MPI_COMM_WORLD);
   Iteration it(comm, spread);

@@ -20,7 +20,8 @@ public:
 
   /// The value to go on from. weight: of each value in the norm, 0 for copies of another rank's.
   /// It starts afresh, with g itself, when `changed` on any rank (what g depends on is another
-  /// function now) or the residual has doubled. Collective.
+  /// function now), when the residual has doubled or the combination lies far beyond g: where
+  /// the residual does not change there is no solution to head for. Collective.
   std::vector<double> next(const std::vector<double>& x, const std::vector<double>& g,
                            const std::vector<double>& weight, bool changed);
   void clear() { pairs_.clear(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/contact/anderson.hpp"
 #include "abut/contact/corner_space.hpp"
 #include "abut/contact/facing_surface.hpp"
 #include "abut/contact/normal_law.hpp"
@@ -18,10 +19,8 @@
 
 namespace abut::contact {
 
-class Anderson;
 class DualLaw;
 class NodeCells;
-class PlateauWatch;
 struct DualPoint;
 struct NodeRow;
 
@@ -48,7 +47,8 @@ struct ContactSummary {
 struct Augmentation {
   double change = 0.0; ///< relative change of the multipliers, L2 [1]
   /// Largest violation over face size: penetration and motion in stick, at points, or averaged at
-  /// those corners whose faces are closed when the multipliers live there [1].
+  /// those corners whose faces are closed when the multipliers live there; with increments of
+  /// averages and with accelerated multipliers also a gap across which they press [1].
   double gap = 0.0;
   double length = 0.0;    ///< the same [length]
   bool converged = false; ///< the tolerances hold
@@ -236,6 +236,7 @@ private:
   void merge_slivers();
   void take_multiplier(Local face, int point, bool shear);
   double stiffness_factor() const;
+  bool accelerates() const;
   Global active_set() const;
   std::vector<double> next_pressures();
   double relative_change() const;
@@ -310,8 +311,9 @@ private:
   std::vector<char> merged_;     ///< (surface nodes) corners with little cover, of smoothed ones
   std::vector<char> held_;       ///< (surface nodes) prescribed along the normal; may be empty
   Judged judged_;                ///< of the last proposal
-  std::unique_ptr<PlateauWatch> watch_;
-  std::unique_ptr<Anderson> anderson_;
+  bool poor_side_ = false;       ///< the primary is stiff and fine
+  PlateauWatch watch_;
+  Anderson anderson_;
   std::vector<char> last_active_; ///< at the last augmentation, by points or nodes
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plateau_watch.hpp"
+#include "abut/contact/plateau.hpp"
 
 #include <algorithm>
 
@@ -47,6 +47,9 @@ const char* describe(PlateauCause cause) {
     return "what multipliers push on the primary hardly moves the gaps, as where it is stiff and "
            "fine: swap primary and secondary, or take 'multipliers: smoothed' with "
            "'penalty_factor: 1'";
+  case PlateauCause::short_waves:
+    return "pressures that differ from one point or node to the next move the bodies little: take "
+           "'multipliers: dual', a larger penalty_factor or 'augmentation: anderson'";
   case PlateauCause::unknown:
     return "of none of the known causes: a larger penalty_factor closes more with each "
            "augmentation";
@@ -75,11 +78,13 @@ bool PlateauWatch::stalled(const Judged& now) const {
          (now.closed || stands(gaps_, now.gap));
 }
 
-PlateauCause PlateauWatch::cause(const Judged& now) const {
+PlateauCause PlateauWatch::cause(const Judged& now, bool by_change, bool dual,
+                                 bool poor_side) const {
   if (gaps_.size() < slow_count || (now.settled && now.closed))
     return PlateauCause::none;
-  const std::vector<double>& earlier = now.closed ? changes_ : gaps_;
-  const double measure = now.closed ? now.change : now.gap;
+  const bool change_counts = now.closed || by_change;
+  const std::vector<double>& earlier = change_counts ? changes_ : gaps_;
+  const double measure = change_counts ? now.change : now.gap;
   if (measure <= slow_ratio * earlier[earlier.size() - slow_count])
     return PlateauCause::none;
   double sums[3] = {0.0, 0.0, 0.0}; // area of the deep ones, held, partly covered
@@ -100,8 +105,9 @@ PlateauCause PlateauWatch::cause(const Judged& now) const {
     return PlateauCause::held_nodes;
   if (sums[2] > most * sums[0])
     return PlateauCause::partly_covered;
-  return now.change > stiff_ratio * changes_.back() ? PlateauCause::stiff_primary
-                                                    : PlateauCause::unknown;
+  if (now.change <= stiff_ratio * changes_.back())
+    return PlateauCause::unknown;
+  return dual || poor_side ? PlateauCause::stiff_primary : PlateauCause::short_waves;
 }
 
 } // namespace abut::contact
