@@ -39,8 +39,7 @@ Global Interaction::active_set() const {
 
 /// A combination may leave multipliers that are too large, and gaps across which they press.
 bool Interaction::accelerates() const {
-  return options_.augmentation == AugmentationRule::anderson && options_.friction == 0.0 &&
-         !options_.tied && !options_.tension && !update_;
+  return options_.accelerates() && !update_;
 }
 
 /// The pressures that become multipliers, by points or by nodes: those proposed, or combined with

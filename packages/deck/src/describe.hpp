@@ -204,7 +204,9 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
            "where the multipliers of augmented_lagrangian live");
   using contact::AugmentationRule;
   v.choice("augmentation", o.augmentation,
-           {{"plain", AugmentationRule::plain, "of the last solve"},
+           {{"automatic", AugmentationRule::automatic,
+             "anderson for smoothed and dual multipliers, plain at points"},
+            {"plain", AugmentationRule::plain, "of the last solve"},
             {"anderson", AugmentationRule::anderson,
              "of the last few solves, so that what they leave cancels best; without friction"}},
            "what the next multipliers are made of");

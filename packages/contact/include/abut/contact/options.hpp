@@ -48,8 +48,9 @@ enum class Multipliers {
 
 /// What the next multipliers are made of.
 enum class AugmentationRule {
-  plain,    ///< the last solve
-  anderson, ///< the last few solves, so that what they leave cancels best; without friction
+  automatic, ///< anderson for smoothed and dual multipliers, plain at points
+  plain,     ///< the last solve
+  anderson,  ///< the last few solves, so that what they leave cancels best; without friction
 };
 
 /// Which of the two surfaces is the primary.
@@ -68,7 +69,7 @@ struct ContactOptions {
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
-  AugmentationRule augmentation = AugmentationRule::plain;
+  AugmentationRule augmentation = AugmentationRule::automatic;
 
   double penalty_factor = 0.0; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
   double penalty = 0.0;        ///< eps itself, 0 means automatic [pressure/length]
@@ -104,6 +105,12 @@ struct ContactOptions {
   /// Whether multipliers change at the end of a step, without another solve.
   bool augments_at_end() const {
     return enforcement == Enforcement::augmented_lagrangian && max_augmentations == 0;
+  }
+  /// Whether the next multipliers are made of several solves.
+  bool accelerates() const {
+    return friction == 0.0 && !tied && !tension &&
+           (augmentation == AugmentationRule::anderson ||
+            (augmentation == AugmentationRule::automatic && space() != Multipliers::per_point));
   }
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
   Multipliers space() const {
