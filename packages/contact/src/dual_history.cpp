@@ -62,7 +62,6 @@ void DualLaw::augment(const MultiplierUpdate& update, const std::vector<double>&
       view.traction = n.pressure * n.normal + n.traction;
       update(view, n.history.multiplier, n.traction);
     }
-    n.swaps = 0;
   }
 }
 
@@ -85,7 +84,6 @@ void DualLaw::accept() {
     n.history.shear = n.traction;
     n.history.sliding = n.rule == PointRule::incremental_slip ? norm(n.traction) : 0.0;
     n.converged = n.history;
-    n.swaps = 0;
   }
   carried_converged_ = carried_;
 }
@@ -93,9 +91,7 @@ void DualLaw::accept() {
 void DualLaw::reject() {
   for (DualNode& n : nodes_) {
     n.history = n.converged;
-    n.last_shear = n.converged.shear;
-    n.was_pressed = n.converged.in_contact;
-    n.swaps = 0;
+    n.last = {n.converged.in_contact, false, {}};
   }
   carried_ = carried_converged_;
 }

@@ -232,15 +232,11 @@ Mat3 shear_column(const DualNode& n, double friction, const NodeRow& row) {
            row.gap);
   if (n.rule != PointRule::incremental_slip)
     return d;
-  const double size = norm(n.trial);
-  if (!(size > 0.0))
-    return Mat3::zero();
-  const Vec3 direction = (1.0 / size) * n.trial;
-  add_dyad(d, -direction, row_times(direction, d));
+  add_dyad(d, -n.line.direction, row_times(n.line.direction, d));
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      d[i][j] *= friction * n.pressure / size;
-  add_dyad(d, (-friction * n.penalty / n.area) * direction, row.gap);
+      d[i][j] *= n.line.turning;
+  add_dyad(d, (-friction * n.penalty / n.area) * n.line.direction, row.gap);
   return d;
 }
 

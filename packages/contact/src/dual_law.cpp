@@ -180,7 +180,8 @@ void DualLaw::decide(double friction, bool frozen) {
 void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
   const PointRule before = n.rule;
   n.rule = PointRule::open;
-  n.touching = n.beyond = false;
+  n.touching = false;
+  n.settled = true;
   n.pressure = 0.0;
   n.traction = Vec3::zero();
   if (n.area == 0.0 || (frozen && before == PointRule::open))
@@ -206,40 +207,27 @@ void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
   n.rule = PointRule::incremental_stick;
   if (n.touching)
     return;
-  const double size = norm(n.trial), limit = friction * n.pressure;
   const bool held =
       frozen && (before == PointRule::incremental_stick || before == PointRule::incremental_slip);
-  if (held ? before == PointRule::incremental_slip : !sticks(n, limit))
-    n.rule = PointRule::incremental_slip;
-  n.beyond = n.rule == PointRule::incremental_stick && size > limit;
-  n.traction =
-      n.rule == PointRule::incremental_slip && size > 0.0 ? (limit / size) * n.trial : n.trial;
+  const double share = n.soft > 0.0 ? std::min(1.0, n.soft / n.penalty) : 1.0;
+  const ShearChoice choice =
+      choose_shear(n.last, n.trial, n.normal, friction * n.pressure, share,
+                   held ? std::optional(before == PointRule::incremental_slip) : std::nullopt);
+  n.rule = choice.slips ? PointRule::incremental_slip : PointRule::incremental_stick;
+  n.line = choice.line;
+  n.traction = choice.traction;
+  n.settled = choice.settled;
 }
 
-/// The primal-dual criterion of Interaction::within_cone, at a node.
-bool DualLaw::sticks(const DualNode& n, double limit) const {
-  if (n.soft == 0.0 || !n.was_pressed || n.swaps < patience)
-    return norm(n.trial) <= limit;
-  const double share = std::min(1.0, n.soft / n.penalty);
-  return norm((1.0 - share) * n.last_shear + share * n.trial) <= limit;
-}
-
-void DualLaw::keep_iterate(double friction) {
+void DualLaw::keep_iterate() {
   for (DualNode& n : nodes_) {
-    if (n.was_pressed && n.pressed() &&
-        (n.rule != n.last_rule || dot(n.traction, n.last_shear) < 0.0))
-      ++n.swaps;
-    n.last_rule = n.rule;
-    n.was_pressed = n.pressed();
-    const double size = norm(n.traction), limit = friction * n.pressure;
-    if (n.was_pressed)
-      n.last_shear = size > limit ? (limit / size) * n.traction : n.traction;
+    n.last = {n.pressed(), n.rule == PointRule::incremental_slip, n.line};
   }
 }
 
 bool DualLaw::settled() const {
   return std::none_of(nodes_.begin(), nodes_.end(),
-                      [](const DualNode& n) { return n.pressed() && n.beyond; });
+                      [](const DualNode& n) { return n.pressed() && !n.settled; });
 }
 
 } // namespace abut::contact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/contact/corner_space.hpp"
+#include "abut/contact/friction_switch.hpp"
 #include "abut/contact/interaction.hpp"
 
 #include <array>
@@ -49,11 +50,9 @@ struct DualNode {
   double pressure = 0.0;
   double out_of_plane = 0.0; ///< normal part of the trial traction before projection [pressure]
   Vec3 trial = Vec3::zero(), traction = Vec3::zero(); ///< tangential [pressure]
-  Vec3 last_shear = Vec3::zero();        ///< of the last Newton iterate, within the cone [pressure]
-  bool was_pressed = false;              ///< then
-  PointRule last_rule = PointRule::open; ///< then
-  int swaps = 0;                         ///< changes of status or of direction in this solve
-  bool beyond = false; ///< sticks though its trial lies beyond the cone: not settled
+  SlipLine line;                                      ///< in slip, the law made linear
+  bool settled = true;                                ///< the traction is the return map's
+  ShearIterate last;                                  ///< of the last Newton iterate
 
   bool active() const { return rule != PointRule::open; }
   bool pressed() const { return active() && !touching; }
@@ -93,7 +92,7 @@ public:
   /// Pressures, status and tractions of the nodes from their means.
   void decide(double friction, bool frozen);
   /// The tractions that switching starts from in the next configuration.
-  void keep_iterate(double friction);
+  void keep_iterate();
   bool settled() const; ///< the status of every node is that of the return map
 
   Local first_point(Local face) const { return first_point_[face]; }
@@ -144,7 +143,6 @@ public:
 private:
   void cover(const std::vector<DualPoint>& points);
   void decide(DualNode& node, double friction, bool frozen) const;
-  bool sticks(const DualNode& node, double limit) const;
   void merge(Local face, double (&take)[max_corners][max_corners]) const;
 
   Comm comm_;

@@ -44,9 +44,20 @@ double largest_motion(const double* now, const double* then, std::size_t nodes) 
 double first_factor(const ContactOptions& options) {
   if (options.penalty_factor > 0.0)
     return options.penalty_factor;
-  if (options.enforcement == Enforcement::penalty || options.space() == Multipliers::per_point)
+  if (options.enforcement == Enforcement::penalty || options.multipliers == Multipliers::per_point)
     return 10.0;
-  return options.space() == Multipliers::smoothed ? 3.0 : 30.0;
+  return options.multipliers == Multipliers::smoothed ? 3.0 : 30.0;
+}
+
+/// Options with the space of the multipliers chosen.
+ContactOptions resolved(const Comm& comm, const mesh::Surface& primary,
+                        const mesh::Surface& secondary, ContactOptions options) {
+  if (options.multipliers == Multipliers::automatic) {
+    const bool dual = options.enforcement == Enforcement::augmented_lagrangian &&
+                      options.goes_dual() && !compare_sides(comm, primary, secondary).is_poor();
+    options.multipliers = dual ? Multipliers::dual : Multipliers::smoothed;
+  }
+  return options;
 }
 
 } // namespace
@@ -54,8 +65,8 @@ double first_factor(const ContactOptions& options) {
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
                          ContactOptions options, PhaseTimers& timers, double share)
     : comm_(comm), primary_(std::move(primary)), secondary_(std::move(secondary)),
-      options_(std::move(options)), timers_(timers), share_(share),
-      self_(options_.primary == options_.secondary && !options_.primary.empty()),
+      options_(resolved(comm, primary_, secondary_, std::move(options))), timers_(timers),
+      share_(share), self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
       corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
       watch_(comm), anderson_(comm) {
@@ -88,6 +99,13 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
   poor_side_ = compare_sides(comm_, primary_, secondary_).is_poor();
   make_points();
   make_dual();
+}
+
+void Interaction::set_normal_law(NormalLaw law) {
+  if (law && dual_)
+    throw InputError("contact." + options_.name +
+                     ": a normal law goes with 'multipliers: smoothed' or 'per_point'");
+  normal_law_ = std::move(law);
 }
 
 void Interaction::set_schedules(std::function<double(double)> penalty,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abut::contact {
 
@@ -42,7 +43,7 @@ void Interaction::propose(Augmentation& result) {
   next_.assign(points_.size(), {});
   proposed_ = true;
   watch_.look_anew();
-  if (options_.space() == Multipliers::smoothed)
+  if (options_.multipliers == Multipliers::smoothed)
     propose_averages(result);
   else
     measure_points(result);
@@ -51,7 +52,7 @@ void Interaction::propose(Augmentation& result) {
       const Local i = point_index(f, p);
       const PointState& state = points_[i];
       Multiplier& next = next_[i];
-      if (options_.space() == Multipliers::per_point)
+      if (options_.multipliers == Multipliers::per_point)
         next = {state.pressure, state.traction - state.pressure * state.normal};
       if (!state.pressed())
         next.shear = Vec3::zero();
@@ -192,7 +193,7 @@ double Interaction::relative_change() const {
 /// Averages leave a penetration of no more than p_max/(6 f E) face sizes: f for the one asked for.
 void Interaction::choose_factor() {
   if (factor_chosen_ || options_.penalty_factor > 0.0 || options_.gap_tolerance == 0.0 ||
-      options_.space() != Multipliers::smoothed || softest_modulus_ == 0.0 ||
+      options_.multipliers != Multipliers::smoothed || softest_modulus_ == 0.0 ||
       options_.enforcement != Enforcement::augmented_lagrangian)
     return;
   double most = 0.0;
@@ -214,7 +215,22 @@ double Interaction::stiffness_factor() const {
   return softest_modulus_ > 0.0 ? options_.penalty * slack_ / softest_modulus_ : 0.0;
 }
 
+Interaction::Tolerances Interaction::tolerances() const {
+  const double gap = options_.gap_tolerance, length = options_.gap_limit;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Tolerances asked{options_.multiplier_tolerance, gap > 0.0 ? gap : none,
+                   length > 0.0 ? length : none};
+  if (asked.change > 0.0)
+    return asked;
+  constexpr double usual_change = 1e-2, usual_gap = 1e-3;
+  asked.change = dual_ ? none : usual_change; // springs of dual ones carry pressures as good
+  if (dual_ && gap == 0.0 && length == 0.0)
+    asked.gap = usual_gap;
+  return asked;
+}
+
 Augmentation Interaction::augmentation() {
+  const Tolerances asked = tolerances();
   Augmentation result;
   Judged& now = judged_;
   const auto judge = [&] {
@@ -228,19 +244,18 @@ Augmentation Interaction::augmentation() {
       result.gap = comm_.max(result.gap);
       result.length = comm_.max(result.length);
     }
-    now = {result.gap, result.change, result.change <= options_.multiplier_tolerance,
-           (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
-               (options_.gap_limit == 0.0 || result.length <= options_.gap_limit)};
+    now = {result.gap, result.change, result.change <= asked.change,
+           result.gap <= asked.gap && result.length <= asked.length};
   };
   judge();
-  if (now.settled && !now.closed && !increments_ && options_.space() == Multipliers::smoothed) {
+  if (now.settled && !now.closed && !increments_ && options_.multipliers == Multipliers::smoothed) {
     increments_ = true; // what averages leave open, increments close
     watch_.clear();
     judge();
   }
   result.converged = now.settled && now.closed;
   result.stalled = watch_.stalled(now);
-  const bool averages = options_.space() == Multipliers::smoothed && !increments_;
+  const bool averages = options_.multipliers == Multipliers::smoothed && !increments_;
   if (result.stalled || stiffness_factor() >= stiff_factor)
     result.cause = watch_.cause(now, averages, dual_ != nullptr, poor_side_);
   return result;

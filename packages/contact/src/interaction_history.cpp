@@ -131,7 +131,7 @@ void Interaction::accept() {
       state.history.shear =
           state.pressed() ? state.traction - state.pressure * state.normal : Vec3::zero();
       state.converged = state.history;
-      state.returns = state.swaps = 0;
+      state.returns = 0;
       state.left = -1;
     }
     if (options_.update_penalty) {
@@ -157,9 +157,8 @@ void Interaction::reject() {
     dual_->reject();
   for (PointState& p : points_) {
     p.history = p.converged;
-    p.last_shear = p.converged.shear;
-    p.was_pressed = p.converged.in_contact;
-    p.returns = p.swaps = 0;
+    p.last = {p.converged.in_contact, false, {}};
+    p.returns = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }
   watch_.clear();

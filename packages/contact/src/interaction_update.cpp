@@ -71,7 +71,7 @@ std::vector<double> Interaction::next_pressures() {
       g[i] = x[i] + halved * (g[i] - x[i]);
     return g;
   }
-  const bool averages = options_.space() == Multipliers::smoothed && !increments_;
+  const bool averages = options_.multipliers == Multipliers::smoothed && !increments_;
   if (!accelerates() || averages)
     return g;
   std::vector<double> next = anderson_.next(x, g, weight, changed);
@@ -105,7 +105,6 @@ void Interaction::augment() {
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
-      state.swaps = 0;
       state.returns = 0; // another solve may swing for its own reasons
       state.left = -1;
       if (!dual_)

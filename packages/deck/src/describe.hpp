@@ -194,7 +194,8 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
            "how penetration is resisted");
   using contact::Multipliers;
   v.choice("multipliers", o.multipliers,
-           {{"automatic", Multipliers::automatic, "smoothed"},
+           {{"automatic", Multipliers::automatic,
+             "dual; smoothed with a primary that is stiff and fine and where dual does not go"},
             {"per_point", Multipliers::per_point,
              "one at each integration point: the theory; its pressures oscillate"},
             {"smoothed", Multipliers::smoothed,
@@ -267,9 +268,12 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("segment_updates", o.segment_updates,
              "searches in a solve after which partners stay; 0: no limit", at_least(0.0, "1"));
   v.optional("multiplier_tolerance", o.multiplier_tolerance,
-             "augmentation stops at this relative change of the multipliers", positive("1"));
+             "augmentation stops at this relative change of the multipliers; 0: at 1e-2, not asked "
+             "of dual ones",
+             at_least(0.0, "1"));
   v.optional("gap_tolerance", o.gap_tolerance,
-             "augmentation also asks for this largest penetration, in face sizes; 0: it does not",
+             "augmentation also asks for this largest penetration, in face sizes; 0: it does not, "
+             "but for 1e-3 of dual multipliers without another tolerance",
              at_least(0.0, "1"));
   v.optional("gap_limit", o.gap_limit,
              "augmentation also asks for this largest penetration; 0: it does not",

@@ -108,8 +108,9 @@ public:
 
   /// Factors over the load parameter t on penalty and friction coefficient.
   void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
-  /// Another law of the normal traction; empty: penalty and multiplier.
-  void set_normal_law(NormalLaw law) { normal_law_ = std::move(law); }
+  /// Another law of the normal traction; empty: penalty and multiplier. Throws InputError with dual
+  /// multipliers.
+  void set_normal_law(NormalLaw law);
   /// Another update of the multipliers; empty: that of options().multipliers.
   void set_update(MultiplierUpdate update) { update_ = std::move(update); }
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
@@ -194,8 +195,8 @@ private:
   bool normal_response(Local face, PointState& state) const;
   PointRule sliding_rule(Local face, PointState& state, const ContactPoint& c,
                          const PrimaryPoint<double>& at, const Vec3* y) const;
-  bool within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
-                   double pressure) const;
+  ShearChoice switched(Local face, Local facing, const PointState& state, const Vec3& trial,
+                       const Vec3& normal, double pressure) const;
   void set_traction(Local face, int point, PointRule rule);
   void keep_iterate();
   /// The point as the kernels take it; y_previous must live as long as the result.
@@ -228,6 +229,10 @@ private:
     double pressure = 0.0;
     Vec3 shear = Vec3::zero();
   };
+  struct Tolerances { ///< of an augmentation, infinite where not asked
+    double change, gap, length;
+  };
+  Tolerances tolerances() const;
   void choose_factor();
   void propose(Augmentation& result);
   void propose_averages(Augmentation& result);

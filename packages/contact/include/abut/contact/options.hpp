@@ -40,7 +40,7 @@ enum class Tangent {
 
 /// Where the multipliers of augmented Lagrangian live. docs/theory/multipliers.md
 enum class Multipliers {
-  automatic, ///< smoothed
+  automatic, ///< dual, or smoothed where a dual law does not go: goes_dual, SideComparison::is_poor
   per_point, ///< one at each integration point: the theory; its pressures oscillate
   smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
@@ -96,9 +96,11 @@ struct ContactOptions {
 
   // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum. With a
   // maximum of zero multipliers change once, at the end of each step.
-  double multiplier_tolerance = 1e-2; ///< relative change of the multipliers [1]
-  double gap_tolerance = 0.0;         ///< largest penetration in face sizes; 0: not asked [1]
-  double gap_limit = 0.0;             ///< largest penetration; 0: not asked [length]
+  double multiplier_tolerance = 0.0; ///< relative change of the multipliers; 0: 1e-2, not asked
+                                     ///< of dual ones [1]
+  double gap_tolerance = 0.0; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
+                              ///< multipliers where no tolerance is given [1]
+  double gap_limit = 0.0;     ///< largest penetration; 0: not asked [length]
   int min_augmentations = 0;
   int max_augmentations = 20;
 
@@ -110,11 +112,13 @@ struct ContactOptions {
   bool accelerates() const {
     return friction == 0.0 && !tied && !tension &&
            (augmentation == AugmentationRule::anderson ||
-            (augmentation == AugmentationRule::automatic && space() != Multipliers::per_point));
+            (augmentation == AugmentationRule::automatic && multipliers != Multipliers::per_point));
   }
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
-  Multipliers space() const {
-    return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
+  /// Whether these options go with dual multipliers.
+  bool goes_dual() const {
+    return !tied && !tension && tangent != Tangent::automatic &&
+           friction_map != FrictionMap::inclined_ray && friction_map != FrictionMap::literal;
   }
   FrictionMap map() const {
     if (multipliers == Multipliers::dual)
