@@ -3,6 +3,7 @@
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
+#include "held_nodes.hpp"
 #include "node_cells.hpp"
 #include "point_search.hpp"
 
@@ -40,8 +41,9 @@ void Interaction::make_dual() {
 }
 
 void Interaction::set_prescribed(const std::vector<char>& directions) {
+  held_ = held_nodes(primary_, corners_, directions);
   if (dual_ && options_.formulation != Formulation::node_on_facet) // there each node is a point
-    dual_->set_prescribed(directions);
+    dual_->set_prescribed(held_);
 }
 
 /// The point as the kernels take it, with the pressure that the nodes give it.
@@ -280,7 +282,7 @@ void Interaction::store_node_shear() {
 }
 
 void Interaction::augment_nodes() {
-  dual_->augment(update_);
+  dual_->augment(update_, next_pressures());
   store_node_shear();
 }
 
@@ -299,6 +301,15 @@ void Interaction::accept_nodes() {
       }
     }
   store_node_shear();
+  if (options_.augments_at_end()) {
+    std::vector<double> pressures;
+    for (Local n = 0; n < primary_.num_nodes(); ++n)
+      pressures.push_back(dual_->node(n).pressure);
+    const auto pressure_only = [&](const PointState& state, double& pressure, Vec3 shear) {
+      update_(state, pressure, shear);
+    };
+    dual_->augment(update_ ? MultiplierUpdate(pressure_only) : MultiplierUpdate(), pressures);
+  }
   dual_->accept();
 }
 
@@ -327,7 +338,7 @@ double Interaction::node_spring(Local face, int point) const {
     const DualNode& n = dual_->node(dual_->corner_nodes(face)[a]);
     if (!n.active() || !(n.penalty > 0.0))
       continue;
-    const double normal = n.pressure - n.history.multiplier;
+    const double normal = n.penalty * n.gap;
     const bool augmented = options_.enforcement == Enforcement::augmented_lagrangian;
     const double shear = augmented ? 0.0 : dot(n.traction, n.traction);
     sum += dual_->field(index)[a] * (normal * normal + shear) / n.penalty;

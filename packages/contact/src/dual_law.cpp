@@ -11,10 +11,6 @@ namespace abut::contact {
 
 namespace {
 
-constexpr double sliver = 0.2; ///< a node with less of its function covered hands it on
-
-constexpr double held_share = 0.99; ///< of the square of the normal, in prescribed directions
-
 /// Components of the nodal sums.
 enum Mean {
   area,
@@ -75,37 +71,6 @@ DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpa
   carried_converged_ = carried_;
 }
 
-void DualLaw::set_prescribed(const std::vector<char>& directions) {
-  constexpr std::size_t width = 6; // reference normal, prescribed components
-  std::vector<double> sums(nodes_.size() * width, 0.0);
-  for (Local f = 0; f < surface_.num_faces(); ++f) {
-    const Local* node = corner_nodes(f);
-    const auto edge = [&](int a, int b) {
-      return vector_at(&surface_.x[3 * std::size_t(node[b])]) -
-             vector_at(&surface_.x[3 * std::size_t(node[a])]);
-    };
-    const Vec3 normal =
-        corners(f) == 4 ? cross(edge(0, 2), edge(1, 3)) : cross(edge(0, 1), edge(0, 2));
-    for (int a = 0; a < corners(f); ++a)
-      for (int i = 0; i < 3; ++i)
-        sums[std::size_t(node[a]) * width + std::size_t(i)] += normal[i];
-  }
-  for (std::size_t n = 0; n < nodes_.size(); ++n)
-    for (std::size_t i = 0; i < 3; ++i)
-      sums[n * width + 3 + i] = (directions[n] >> i) & 1;
-  space_.sum(sums, width);
-  prescribed_.assign(nodes_.size(), 0);
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const double* s = &sums[n * width];
-    double held = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      all += s[i] * s[i];
-      held += s[3 + i] > 0.0 ? s[i] * s[i] : 0.0;
-    }
-    prescribed_[n] = held > held_share * all;
-  }
-}
-
 /// take[a][b]: share of the function of corner a that corner b has; the identity unless nodes are
 /// merged. The others of the face share alike, so that no numbering decides.
 void DualLaw::merge(Local face, double (&take)[max_corners][max_corners]) const {
@@ -129,9 +94,11 @@ void DualLaw::cover(const std::vector<DualPoint>& points) {
       for (int a = 0; points[q].covered && a < corners(f); ++a)
         covered[corner_nodes(f)[a]] += area_[q] * corner_[std::size_t(q) * max_corners + a];
   space_.sum(covered);
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i].covered = covered[i];
     nodes_[i].merged =
         covered[i] < sliver * nodes_[i].full || (!prescribed_.empty() && prescribed_[i] != 0);
+  }
   for (Local f = 0; f < surface_.num_faces(); ++f) {
     double take[max_corners][max_corners] = {};
     merge(f, take);

@@ -68,7 +68,8 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
       options_(resolved(comm, primary_, secondary_, std::move(options))), timers_(timers),
       share_(share), self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
-      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)) {
+      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
+      watch_(comm), anderson_(comm) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
@@ -95,6 +96,7 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
   smallest_size_ = size_.empty() ? std::numeric_limits<double>::max()
                                  : *std::min_element(size_.begin(), size_.end());
   smallest_size_ = comm_.min(smallest_size_);
+  poor_side_ = compare_sides(comm_, primary_, secondary_).is_poor();
   make_points();
   make_dual();
 }
@@ -160,6 +162,15 @@ void Interaction::make_points() {
   }
   points_.resize(weight_.size());
   stretch_.assign(size_.size(), 1.0);
+  full_.assign(std::size_t(primary_.num_nodes()), 0.0);
+  double N[CornerSpace::max_corners];
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      corners_.values(f, table_[f]->rule.xi[std::size_t(p)].data(), N);
+      for (int a = 0; a < corners_.corners(f); ++a)
+        full_[std::size_t(corners_.nodes(f)[a])] += N[a] * area_[point_index(f, p)];
+    }
+  corners_.sum(full_);
 }
 
 PointShape Interaction::shape(Local face, int point) const {

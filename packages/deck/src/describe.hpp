@@ -203,6 +203,14 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"dual", Multipliers::dual,
              "at the corner nodes of the primary, which hold the law of weighted gaps"}},
            "where the multipliers of augmented_lagrangian live");
+  using contact::AugmentationRule;
+  v.choice("augmentation", o.augmentation,
+           {{"automatic", AugmentationRule::automatic,
+             "anderson for smoothed and dual multipliers, plain at points"},
+            {"plain", AugmentationRule::plain, "of the last solve"},
+            {"anderson", AugmentationRule::anderson,
+             "of the last few solves, so that what they leave cancels best; without friction"}},
+           "what the next multipliers are made of");
   v.optional("penalty_factor", o.penalty_factor,
              "f in eps = f E_n A / V, when penalty is 0; 0: 10; augmented_lagrangian with dual "
              "multipliers 30, with smoothed ones 3 or what gap_tolerance asks for between 1 and 10",
@@ -272,7 +280,8 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
              at_least(0.0, "length"));
   v.optional("min_augmentations", o.min_augmentations, "at least so many, each step",
              at_least(0.0, "1"));
-  v.optional("max_augmentations", o.max_augmentations, "at most so many, each step",
+  v.optional("max_augmentations", o.max_augmentations,
+             "at most so many, each step; 0: multipliers change once, at the end of the step",
              at_least(0.0, "1"));
   v.check("min_augmentations", o.min_augmentations <= o.max_augmentations,
           "more than max_augmentations, which is " + std::to_string(o.max_augmentations));

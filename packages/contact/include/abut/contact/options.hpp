@@ -46,6 +46,13 @@ enum class Multipliers {
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
+/// What the next multipliers are made of.
+enum class AugmentationRule {
+  automatic, ///< anderson for smoothed and dual multipliers, plain at points
+  plain,     ///< the last solve
+  anderson,  ///< the last few solves, so that what they leave cancels best; without friction
+};
+
 /// Which of the two surfaces is the primary.
 enum class PrimarySide {
   as_given,
@@ -62,6 +69,7 @@ struct ContactOptions {
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
+  AugmentationRule augmentation = AugmentationRule::automatic;
 
   double penalty_factor = 0.0; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
   double penalty = 0.0;        ///< eps itself, 0 means automatic [pressure/length]
@@ -86,7 +94,8 @@ struct ContactOptions {
   double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
   int segment_updates = 0;         ///< searches in a solve after which partners stay; 0: no limit
 
-  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum.
+  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum. With a
+  // maximum of zero multipliers change once, at the end of each step.
   double multiplier_tolerance = 0.0; ///< relative change of the multipliers; 0: 1e-2, not asked
                                      ///< of dual ones [1]
   double gap_tolerance = 0.0; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
@@ -95,6 +104,16 @@ struct ContactOptions {
   int min_augmentations = 0;
   int max_augmentations = 20;
 
+  /// Whether multipliers change at the end of a step, without another solve.
+  bool augments_at_end() const {
+    return enforcement == Enforcement::augmented_lagrangian && max_augmentations == 0;
+  }
+  /// Whether the next multipliers are made of several solves.
+  bool accelerates() const {
+    return friction == 0.0 && !tied && !tension &&
+           (augmentation == AugmentationRule::anderson ||
+            (augmentation == AugmentationRule::automatic && multipliers != Multipliers::per_point));
+  }
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
   /// Whether these options go with dual multipliers.
   bool goes_dual() const {

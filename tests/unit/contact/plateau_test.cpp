@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Augmentations that bring nothing: which cause is named.
+#include "abut/contact/plateau.hpp"
+
+#include <gtest/gtest.h>
+#include <mpi.h>
+#include <string>
+
+using namespace abut;
+using namespace abut::contact;
+
+namespace {
+
+/// gaps and changes of augmentations so far, the last ones now.
+struct Story {
+  std::vector<double> gap, change;
+  bool gap_asked = true;
+
+  Judged at(std::size_t i) const {
+    return {gap[i], change[i], change[i] < 1e-3, !gap_asked || gap[i] < 1e-4};
+  }
+};
+
+PlateauCause cause(const Story& s, const std::vector<Violation>& violations, bool dual = true,
+                   const std::vector<Global>& sets = {}) {
+  PlateauWatch watch(Comm(MPI_COMM_WORLD));
+  for (std::size_t i = 0; i + 1 < s.gap.size(); ++i)
+    watch.add(s.at(i), sets.empty() ? 1 : sets[i]);
+  watch.look_anew();
+  for (const Violation& v : violations)
+    watch.violated(v);
+  return watch.cause(s.at(s.gap.size() - 1), false, dual, false);
+}
+
+const Story slow = {{1e-2, 9e-3, 8e-3}, {0.1, 0.09, 0.08}};
+const Story fast = {{1e-2, 1e-3, 2e-4}, {0.1, 0.01, 2e-3}};
+
+} // namespace
+
+TEST(PlateauTest, NoneWhereTheMeasureFalls) {
+  EXPECT_EQ(cause(fast, {{2e-4, 1.0, true, true}}), PlateauCause::none);
+  EXPECT_EQ(cause({{1e-2, 1e-2}, {0.1, 0.1}}, {}), PlateauCause::none) << "one augmentation";
+  EXPECT_EQ(cause({{1e-5, 1e-5, 1e-5}, {1e-4, 1e-4, 1e-4}}, {}), PlateauCause::none) << "done";
+  Story change_falls = {{1e-2, 1e-2, 1e-2}, {0.1, 0.01, 2e-3}, false};
+  EXPECT_EQ(cause(change_falls, {}), PlateauCause::none) << "nobody asks for the gap";
+}
+
+TEST(PlateauTest, NamesWhatTheDeepestPlacesShare) {
+  const Violation deep = {8e-3, 1.0, false, false}, shallow = {1e-3, 9.0, true, true};
+  Violation held = deep, partly = deep;
+  held.held = partly.partly_covered = true;
+  EXPECT_EQ(cause(slow, {held, held, deep, shallow}), PlateauCause::held_nodes);
+  EXPECT_EQ(cause(slow, {partly, partly, deep, shallow}), PlateauCause::partly_covered);
+  EXPECT_EQ(cause(slow, {deep, deep, held, shallow}), PlateauCause::stiff_primary);
+  EXPECT_EQ(cause(slow, {deep, deep, held, shallow}, false), PlateauCause::short_waves);
+  Story settles = slow;
+  settles.change = {0.1, 0.01, 2e-3};
+  EXPECT_EQ(cause(settles, {deep}), PlateauCause::unknown);
+}
+
+TEST(PlateauTest, SetsThatComeBack) {
+  const Story story = {{1e-2, 9e-3, 9e-3, 9e-3, 9e-3, 9e-3}, {.1, .1, .1, .1, .1, .1}};
+  EXPECT_EQ(cause(story, {}, true, {1, 2, 1, 2, 2}), PlateauCause::changing_set);
+  EXPECT_EQ(cause(story, {}, true, {1, 2, 3, 3, 3}), PlateauCause::stiff_primary);
+  EXPECT_EQ(cause(story, {}, true, {1, 1, 1, 1, 1}), PlateauCause::stiff_primary);
+}
+
+TEST(PlateauTest, EveryCauseHasWords) {
+  EXPECT_EQ(std::string(describe(PlateauCause::none)), "");
+  for (const PlateauCause c :
+       {PlateauCause::held_nodes, PlateauCause::partly_covered, PlateauCause::changing_set,
+        PlateauCause::stiff_primary, PlateauCause::short_waves, PlateauCause::unknown})
+    EXPECT_GT(std::string(describe(c)).size(), 20u);
+}
