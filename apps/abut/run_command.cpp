@@ -102,7 +102,10 @@ int run(const RunOptions& options) {
   write();
   double written = 0.0;
 
+  // A status that has not come to rest would be augmented into the multipliers of friction.
   solver::NewtonOptions newton_options = m.deck.newton;
+  for (const auto& c : m.contacts)
+    newton_options.inexact = newton_options.inexact && c->options().friction == 0.0;
   newton_options.inexact = newton_options.inexact && augments_in_steps(m);
   solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
   auto augment = make_augmentation(
