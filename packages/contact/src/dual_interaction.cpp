@@ -42,7 +42,7 @@ void Interaction::make_dual() {
 
 void Interaction::set_prescribed(const std::vector<char>& directions) {
   held_ = held_nodes(primary_, corners_, directions);
-  if (dual_)
+  if (dual_ && options_.formulation != Formulation::node_on_facet) // there each node is a point
     dual_->set_prescribed(held_);
 }
 
