@@ -14,9 +14,10 @@ namespace {
 struct Story {
   std::vector<double> gap, change;
   bool gap_asked = true;
+  double tolerance = 1e-3; // of the change
 
   Judged at(std::size_t i) const {
-    return {gap[i], change[i], change[i] < 1e-3, !gap_asked || gap[i] < 1e-4};
+    return {gap[i], change[i], change[i] < tolerance, !gap_asked || gap[i] < 1e-4};
   }
 };
 
@@ -40,6 +41,8 @@ TEST(PlateauTest, NoneWhereTheMeasureFalls) {
   EXPECT_EQ(cause(fast, {{2e-4, 1.0, true, true}}), PlateauCause::none);
   EXPECT_EQ(cause({{1e-2, 1e-2}, {0.1, 0.1}}, {}), PlateauCause::none) << "one augmentation";
   EXPECT_EQ(cause({{1e-5, 1e-5, 1e-5}, {1e-4, 1e-4, 1e-4}}, {}), PlateauCause::none) << "done";
+  EXPECT_EQ(cause({{5e-7, 5e-7, 5e-7}, {1e-7, 1e-7, 1e-7}, true, 0.0}, {}), PlateauCause::none)
+      << "rounding";
   Story change_falls = {{1e-2, 1e-2, 1e-2}, {0.1, 0.01, 2e-3}, false};
   EXPECT_EQ(cause(change_falls, {}), PlateauCause::none) << "nobody asks for the gap";
 }
