@@ -301,7 +301,7 @@ void Interaction::accept_nodes() {
       }
     }
   store_node_shear();
-  if (options_.augments_at_end()) {
+  if (options_.carries_tractions()) {
     std::vector<double> pressures;
     for (Local n = 0; n < primary_.num_nodes(); ++n)
       pressures.push_back(dual_->node(n).pressure);

@@ -50,11 +50,10 @@ double first_factor(const ContactOptions& options) {
 }
 
 /// Options with the space of the multipliers chosen.
-ContactOptions resolved(const Comm& comm, const mesh::Surface& primary,
-                        const mesh::Surface& secondary, ContactOptions options) {
+ContactOptions resolved(ContactOptions options, bool poor_side) {
   if (options.multipliers == Multipliers::automatic) {
     const bool dual = options.enforcement == Enforcement::augmented_lagrangian &&
-                      options.goes_dual() && !compare_sides(comm, primary, secondary).is_poor();
+                      options.goes_dual() && !poor_side;
     options.multipliers = dual ? Multipliers::dual : Multipliers::smoothed;
   }
   return options;
@@ -65,8 +64,9 @@ ContactOptions resolved(const Comm& comm, const mesh::Surface& primary,
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
                          ContactOptions options, PhaseTimers& timers, double share)
     : comm_(comm), primary_(std::move(primary)), secondary_(std::move(secondary)),
-      options_(resolved(comm, primary_, secondary_, std::move(options))), timers_(timers),
-      share_(share), self_(options_.primary == options_.secondary && !options_.primary.empty()),
+      poor_side_(compare_sides(comm, primary_, secondary_).is_poor()),
+      options_(resolved(std::move(options), poor_side_)), timers_(timers), share_(share),
+      self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
       corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
       watch_(comm), anderson_(comm) {
@@ -96,7 +96,6 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
   smallest_size_ = size_.empty() ? std::numeric_limits<double>::max()
                                  : *std::min_element(size_.begin(), size_.end());
   smallest_size_ = comm_.min(smallest_size_);
-  poor_side_ = compare_sides(comm_, primary_, secondary_).is_poor();
   make_points();
   make_dual();
 }

@@ -267,6 +267,7 @@ private:
   Comm comm_;
   mesh::Surface primary_, secondary_; ///< coordinates relative to origin_
   Vec3 origin_ = Vec3::zero();
+  bool poor_side_; ///< the primary is stiff and fine
   ContactOptions options_;
   PhaseTimers& timers_;
   double share_;
@@ -316,7 +317,6 @@ private:
   std::vector<char> merged_;     ///< (surface nodes) corners with little cover, of smoothed ones
   std::vector<char> held_;       ///< (surface nodes) prescribed along the normal; may be empty
   Judged judged_;                ///< of the last proposal
-  bool poor_side_ = false;       ///< the primary is stiff and fine
   PlateauWatch watch_;
   Anderson anderson_;
   std::vector<char> last_active_; ///< at the last augmentation, by points or nodes

@@ -104,9 +104,15 @@ struct ContactOptions {
   int min_augmentations = 0;
   int max_augmentations = 20;
 
-  /// Whether multipliers change at the end of a step, without another solve.
+  /// Whether multipliers change at the end of a step only.
   bool augments_at_end() const {
     return enforcement == Enforcement::augmented_lagrangian && max_augmentations == 0;
+  }
+  /// Whether the tractions at the end of a step become the multipliers that the next one starts
+  /// from.
+  bool carries_tractions() const {
+    return augments_at_end() ||
+           (enforcement == Enforcement::augmented_lagrangian && multipliers == Multipliers::dual);
   }
   /// Whether the next multipliers are made of several solves.
   bool accelerates() const {
