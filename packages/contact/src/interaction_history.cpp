@@ -127,7 +127,7 @@ void Interaction::accept() {
       if (!dual_)
         advance_history(f, p);
       if (!dual_ && augments)
-        take_multiplier(f, p, options_.map() != FrictionMap::incremental);
+        take_multiplier(f, p, options_.tied || options_.map() != FrictionMap::incremental);
       state.history.shear =
           state.pressed() ? state.traction - state.pressure * state.normal : Vec3::zero();
       state.converged = state.history;

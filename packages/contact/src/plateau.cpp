@@ -12,8 +12,9 @@ constexpr std::size_t plateau_count = 3; ///< ...so many times in a row changes 
 constexpr double slow_ratio = 0.5;       ///< what two augmentations may leave...
 constexpr std::size_t slow_count = 2;    ///< ...of a measure that falls as it should
 constexpr double stiff_ratio = 0.5;      ///< change of multipliers over their last change
-constexpr double deep = 0.5; ///< of the largest violation: those that hold the measure up
-constexpr double most = 0.5; ///< of their area: they share a cause
+constexpr double solved = 1e-6; ///< what Newton leaves: a measure below it has no other cause
+constexpr double deep = 0.5;    ///< of the largest violation: those that hold the measure up
+constexpr double most = 0.5;    ///< of their area: they share a cause
 
 /// Whether a measure has stopped falling, with its values before earlier augmentations.
 bool stands(const std::vector<double>& earlier, double now) {
@@ -85,7 +86,7 @@ PlateauCause PlateauWatch::cause(const Judged& now, bool by_change, bool dual,
   const bool change_counts = now.closed || by_change;
   const std::vector<double>& earlier = change_counts ? changes_ : gaps_;
   const double measure = change_counts ? now.change : now.gap;
-  if (measure <= slow_ratio * earlier[earlier.size() - slow_count])
+  if (measure <= solved || measure <= slow_ratio * earlier[earlier.size() - slow_count])
     return PlateauCause::none;
   double sums[3] = {0.0, 0.0, 0.0}; // area of the deep ones, held, partly covered
   double largest = 0.0;

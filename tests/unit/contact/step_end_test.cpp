@@ -91,3 +91,30 @@ TEST_P(StepEnd, ShearOfAStandingPairStays) {
   force();
   EXPECT_GE(scene.pair->summary().tangential, 0.99 * tangential);
 }
+
+// Points that are tied keep what they hold along the surface too.
+TEST(TiedStepEnd, WholeTractionBecomesMultiplier) {
+  for (const Formulation formulation :
+       {Formulation::facet_on_facet, Formulation::sliding_elastic}) {
+    ContactOptions o = options(Multipliers::per_point, formulation, 0.0);
+    o.tied = true;
+    DualScene scene(FaceType::quad4, FaceType::quad4, o, 0.0, 3, 0.0);
+    const auto forces = [&] {
+      scene.system.evaluate(*scene.pair, false);
+      Vec3 sum = Vec3::zero();
+      for (Local n = 0; n < scene.upper.num_nodes(); ++n)
+        for (int i = 0; i < 3; ++i)
+          sum[i] -= scene.system.residual[std::size_t(3 * n + i)];
+      return sum;
+    };
+    forces();
+    scene.move(0.0, {{0.01, 0.0, 0.005}});
+    const Vec3 first = forces();
+    ASSERT_LT(first[0], -0.01);
+    ASSERT_LT(first[2], -0.01);
+    scene.pair->accept();
+    const Vec3 second = forces();
+    for (int i : {0, 2})
+      EXPECT_NEAR(second[i], 2.0 * first[i], 1e-12);
+  }
+}

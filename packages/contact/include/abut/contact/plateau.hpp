@@ -53,8 +53,9 @@ public:
   void look_anew() { violations_.clear(); }
   void violated(const Violation& v) { violations_.push_back(v); }
   /// Why the measure that is beyond its tolerance has fallen by less than a half in the last two
-  /// augmentations; none if it has fallen. by_change: the gap is not to fall yet; dual: nodes hold
-  /// the law; poor_side: the primary is stiff and fine. Collective.
+  /// augmentations; none if it has fallen, or to where Newton's own tolerance hides it. by_change:
+  /// the gap is not to fall yet; dual: nodes hold the law; poor_side: the primary is stiff and
+  /// fine. Collective.
   PlateauCause cause(const Judged& now, bool by_change, bool dual, bool poor_side) const;
 
 private:
