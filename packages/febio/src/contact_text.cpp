@@ -16,11 +16,8 @@ public:
 
   std::string text() {
     std::string out;
-    DeckNames names;
-    for (const Contact& c : model_.contacts) {
-      const std::string name = names.make(c.name, "contact");
-      out += "  " + name + ":" + (name == c.name ? "" : "  # FEBio: " + c.name) + "\n" + one(c);
-    }
+    for (const Contact& c : model_.contacts)
+      out += passes(c);
     return out.empty() ? "" : "contact:\n" + out;
   }
 
@@ -38,20 +35,50 @@ private:
       line(key, number_text(value));
   }
 
-  std::string one(const Contact& c) {
-    lines_.clear();
+  /// One entry, or two where FEBio's passes have penalties of their own.
+  std::string passes(const Contact& c) {
     const SurfacePair& p = pair(c);
     check_faces(c, p.primary, "flip_primary");
     check_faces(c, p.secondary, "flip_secondary");
+    report_friction(c);
+    const std::string name = names_.make(c.name, "contact");
+    PassPenalty first = penalty_of(c, p.primary, p.secondary);
+    if (!c.flag("two_pass"))
+      return one(c, name, p, first, false);
+    const PassPenalty second = penalty_of(c, p.secondary, p.primary);
+    if (first.automatic == second.automatic && first.number == second.number) {
+      first.number *= 2.0; // each of abut's passes carries half
+      first.note = "twice FEBio's: its two passes add up";
+      return one(c, name, p, first, true);
+    }
+    const SurfacePair back = {p.name, p.secondary, p.primary, p.line};
+    return one(c, name, p, first, false) +
+           one(c, names_.make(name + "_second_pass", ""), back, second, false);
+  }
+
+  PassPenalty penalty_of(const Contact& c, const std::string& primary,
+                         const std::string& secondary) const {
+    const double number = c.number("penalty");
+    if (!c.flag("auto_penalty"))
+      return {false, number, "", ""};
+    const PassPenalty penalty = automatic_penalty(model_, mesh_, number, primary, secondary);
+    if (!penalty.refused.empty())
+      report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused, penalty.refused});
+    return penalty;
+  }
+
+  std::string one(const Contact& c, const std::string& name, const SurfacePair& p,
+                  const PassPenalty& penalty, bool two_pass) {
+    lines_ = "  " + name + ":" + (name == c.name ? "" : "  # FEBio: " + c.name) + "\n";
     line("primary", quoted(p.primary));
     line("secondary", quoted(p.secondary));
     if (c.type == "sliding-node-on-facet")
       line("formulation", "node_on_facet");
     if (c.type == "sliding-elastic")
       line("formulation", "sliding_elastic");
-    if (c.flag("two_pass"))
+    if (two_pass)
       line("two_pass", "true");
-    penalty(c);
+    add_penalty(c, penalty);
     friction(c);
     if (augments(c))
       augmentation(c);
@@ -70,37 +97,13 @@ private:
                    "the faces of surface '" + surface + "' point into their bodies"});
   }
 
-  /// FEBio adds up the two passes; each of abut's carries half.
-  void penalty(const Contact& c) {
-    const Value& penalty = c.values.at("penalty");
-    const double value = (c.flag("two_pass") ? 2.0 : 1.0) * penalty.number;
+  void add_penalty(const Contact& c, const PassPenalty& penalty) {
     if (augments(c))
       line("enforcement", "augmented_lagrangian");
-    const std::string note = c.flag("two_pass") ? "  # twice FEBio's: its two passes add up" : "";
-    if (!c.flag("auto_penalty"))
-      line("penalty", number_text(value) + note);
-    else
-      line("penalty_factor", number_text(value) + note);
-    if (penalty.curve > 0)
-      line("penalty_curve", curves_.of(penalty));
-    if (c.flag("auto_penalty"))
-      check_rigid_primary(c);
-  }
-
-  void check_rigid_primary(const Contact& c) const {
-    const SurfacePair& p = pair(c);
-    for (const auto* surface : {&p.primary, &p.secondary})
-      for (const mesh::SideData& side : mesh_.data().side_sets.at(*surface)) {
-        const Domain& d = model_.mesh.domains[static_cast<std::size_t>(side.block)];
-        if ((surface == &p.primary || c.flag("two_pass")) &&
-            model_.material(d.material)->is_rigid()) {
-          report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused,
-                       "surface '" + *surface +
-                           "' is rigid, and FEBio takes its penalty from the "
-                           "E and v of the rigid material: give a number, auto_penalty 0"});
-          return;
-        }
-      }
+    line(penalty.automatic ? "penalty_factor" : "penalty",
+         number_text(penalty.number) + (penalty.note.empty() ? "" : "  # " + penalty.note));
+    if (c.values.at("penalty").curve > 0)
+      line("penalty_curve", curves_.of(c.values.at("penalty")));
   }
 
   static bool augments(const Contact& c) {
@@ -108,19 +111,29 @@ private:
            c.number("maxaug") > 0.0;
   }
 
-  void friction(const Contact& c) {
+  static bool rubs(const Contact& c) {
     const auto found = c.values.find("fric_coeff");
-    if (found == c.values.end() || found->second.is_zero())
+    return found != c.values.end() && !found->second.is_zero() &&
+           (c.type != "sliding-node-on-facet" || c.number("fric_penalty") != 0.0);
+  }
+
+  void friction(const Contact& c) {
+    if (!rubs(c))
       return;
-    if (c.type == "sliding-node-on-facet" && c.number("fric_penalty") == 0.0) {
+    const Value& mu = c.values.at("fric_coeff");
+    line("friction", number_text(mu.number));
+    if (mu.curve > 0)
+      line("friction_curve", curves_.of(mu));
+  }
+
+  void report_friction(const Contact& c) const {
+    const bool nodal = c.type == "sliding-node-on-facet";
+    if (nodal && !rubs(c) && c.number("fric_coeff") != 0.0)
       report_.add({c.line, "Contact/contact/fric_coeff", Fate::ignored,
                    "FEBio has no friction where fric_penalty is 0"});
+    if (!rubs(c))
       return;
-    }
-    line("friction", number_text(found->second.number));
-    if (found->second.curve > 0)
-      line("friction_curve", curves_.of(found->second));
-    if (c.type == "sliding-node-on-facet")
+    if (nodal)
       report_.add({c.line, "Contact/contact/fric_penalty", Fate::used,
                    "abut resists stick with the penalty of the normal direction"});
     if (!augments(c))
@@ -170,6 +183,7 @@ private:
   const MeshTranslation& mesh_;
   DeckCurves& curves_;
   Report& report_;
+  DeckNames names_;
   std::string lines_;
 };
 

@@ -65,6 +65,19 @@ struct RigidBodies {
 
 RigidBodies rigid_bodies(const Model& model, MeshTranslation& mesh, Report& report);
 
+/// Penalty of one pass: a factor of the deck's automatic one, or a number.
+struct PassPenalty {
+  bool automatic = false;
+  double number = 0.0;
+  std::string note;    ///< what FEBio had, for a comment
+  std::string refused; ///< why no deck can say the same
+};
+
+/// FEBio's automatic penalty of a pass, which is of the primary alone: E A / V, with E as it is
+/// without strain and of a rigid material its E / (1 - v^2). The deck's is of the softer surface.
+PassPenalty automatic_penalty(const Model& model, const MeshTranslation& mesh, double factor,
+                              const std::string& primary, const std::string& secondary);
+
 /// Lines of the sections. `names`: FEBio's names stand in comments where they differ.
 std::string displacements_text(const Model& model, const RigidBodies& rigid, MeshTranslation& mesh,
                                DeckCurves& curves, Report& report);
