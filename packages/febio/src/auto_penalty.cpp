@@ -9,7 +9,9 @@ namespace abut::febio {
 
 namespace {
 
-double young(double bulk, double shear) { return 9.0 * bulk * shear / (3.0 * bulk + shear); }
+double young(double bulk, double shear) {
+  return 9.0 * bulk * shear / (3.0 * bulk + shear);
+}
 
 /// Young's modulus without strain.
 double young(const Material& m) {
@@ -47,7 +49,9 @@ private:
   const MeshTranslation& mesh_;
 };
 
-bool same(double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(a); }
+bool same(double a, double b) {
+  return std::abs(a - b) <= 1e-6 * std::abs(a);
+}
 
 /// One number for all faces of a surface of which at least one is rigid.
 PassPenalty of_rigid(const Surfaces& surfaces, const MeshTranslation& mesh, double factor,
@@ -65,9 +69,10 @@ PassPenalty of_rigid(const Surfaces& surfaces, const MeshTranslation& mesh, doub
     result.number = penalty;
   }
   if (!(result.number > 0.0) || !std::isfinite(result.number))
-    result.refused = "surface '" + primary +
-                     "' is rigid, and FEBio's penalty from the E and v of the rigid material is not "
-                     "above 0: give a number, auto_penalty 0";
+    result.refused =
+        "surface '" + primary +
+        "' is rigid, and FEBio's penalty from the E and v of the rigid material is not "
+        "above 0: give a number, auto_penalty 0";
   result.number = rounded(result.number, 12);
   result.note = "FEBio: " + number_text(factor) + ", from the rigid material's E and v";
   return result;

@@ -40,6 +40,7 @@ private:
     const SurfacePair& p = pair(c);
     check_faces(c, p.primary, "flip_primary");
     check_faces(c, p.secondary, "flip_secondary");
+    check_step(c);
     report_friction(c);
     const std::string name = names_.make(c.name, "contact");
     PassPenalty first = penalty_of(c, p.primary, p.secondary);
@@ -54,6 +55,25 @@ private:
     const SurfacePair back = {p.name, p.secondary, p.primary, p.line};
     return one(c, name, p, first, false) +
            one(c, names_.make(name + "_second_pass", ""), back, second, false);
+  }
+
+  bool in_one_step(const Contact& c) const { return c.step >= 0 && model_.steps.size() > 1; }
+
+  /// A penalty that is zero in the other steps says that there is contact in one step alone, but
+  /// leaves multipliers and the history of friction.
+  void check_step(const Contact& c) const {
+    if (!in_one_step(c))
+      return;
+    const bool last = static_cast<std::size_t>(c.step) + 1 == model_.steps.size();
+    const char* why = nullptr;
+    if (rubs(c))
+      why = "friction in one step alone";
+    else if (augments(c) && !last)
+      why = "AUGLAG in one step alone, which is not the last";
+    if (why)
+      report_.add({c.line, "Contact/contact '" + c.name + "'", Fate::refused,
+                   std::string(why) + ": put the contact outside of the steps, or make a file of "
+                                      "each step"});
   }
 
   PassPenalty penalty_of(const Contact& c, const std::string& primary,
@@ -102,8 +122,9 @@ private:
       line("enforcement", "augmented_lagrangian");
     line(penalty.automatic ? "penalty_factor" : "penalty",
          number_text(penalty.number) + (penalty.note.empty() ? "" : "  # " + penalty.note));
-    if (c.values.at("penalty").curve > 0)
-      line("penalty_curve", curves_.of(c.values.at("penalty")));
+    const int curve = c.values.at("penalty").curve;
+    if (curve > 0 || in_one_step(c))
+      line("penalty_curve", curves_.of(model_.course({1.0, curve, c.line}, c.step)).curve);
   }
 
   static bool augments(const Contact& c) {

@@ -308,8 +308,8 @@ double MeshTranslation::inverse_depth(const mesh::SideData& side) const {
   Vec3 x[fem::max_face_nodes];
   for (int a = 0; a < fem::face_nodes(face.type); ++a)
     x[a] = position(d.nodes[first + static_cast<std::size_t>(face.nodes[a])]);
-  const double area = fem::dispatch_face(
-      face.type, [&](auto shape) { return measure_face<decltype(shape)>(x); });
+  const double area =
+      fem::dispatch_face(face.type, [&](auto shape) { return measure_face<decltype(shape)>(x); });
   return area / bulk_[domain].volumes[element];
 }
 

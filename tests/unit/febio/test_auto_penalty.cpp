@@ -12,15 +12,15 @@ namespace {
 std::map<std::size_t, std::string> unequal(const std::string& upper, bool upper_is_primary,
                                            const std::string& more = "") {
   const std::string low = "low face", up = "up_face";
-  return {{7, upper + "</Material>"},
-          {26, "<SurfacePair name=\"pair\"><primary>" + (upper_is_primary ? up : low) +
-                   "</primary>"},
-          {27, "<secondary>" + (upper_is_primary ? low : up) + "</secondary></SurfacePair></Mesh>"},
-          {29, "<SolidDomain name=\"upper\" mat=\"other\"/></MeshDomains>"},
-          {38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" "
-               "type=\"sliding-facet-on-facet\">"},
-          {40, "<penalty>0.5</penalty><auto_penalty>1</auto_penalty>" + more},
-          {41, ""}};
+  return {
+      {7, upper + "</Material>"},
+      {26, "<SurfacePair name=\"pair\"><primary>" + (upper_is_primary ? up : low) + "</primary>"},
+      {27, "<secondary>" + (upper_is_primary ? low : up) + "</secondary></SurfacePair></Mesh>"},
+      {29, "<SolidDomain name=\"upper\" mat=\"other\"/></MeshDomains>"},
+      {38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" "
+           "type=\"sliding-facet-on-facet\">"},
+      {40, "<penalty>0.5</penalty><auto_penalty>1</auto_penalty>" + more},
+      {41, ""}};
 }
 
 /// The line of the penalty in the entry of this name.
@@ -61,8 +61,9 @@ TEST(AutomaticPenalty, TakesYoungsModulusWithoutStrain) {
   };
   EXPECT_EQ(penalty(other("Mooney-Rivlin", "<c1>0.75</c1><c2>0.25</c2><k>4</k>")), expected);
   EXPECT_EQ(penalty(other("Ogden", "<c1>1</c1><m1>4</m1><c2>3</c2><m2>2</m2><k>4</k>")), expected);
-  EXPECT_EQ(penalty(other("Ogden unconstrained", "<c1>4</c1><m1>4</m1><cp>2.6666666666666667</cp>")),
-            expected);
+  EXPECT_EQ(
+      penalty(other("Ogden unconstrained", "<c1>4</c1><m1>4</m1><cp>2.6666666666666667</cp>")),
+      expected);
 }
 
 TEST(AutomaticPenalty, TwoPassesWithTheirOwnAreTwoContacts) {
@@ -105,8 +106,8 @@ TEST(AutomaticPenalty, IsRefusedWhereNoDeckCanSayTheSame) {
             "m.feb:38: Contact/contact/auto_penalty: surface 'low face' is of several stiffnesses, "
             "and FEBio takes the penalty of each face from its own: give a number, auto_penalty 0, "
             "or a contact for each material");
-  auto rigid = unequal("<material id=\"3\" name=\"other\" type=\"rigid body\"><E>0</E></material>",
-                       true);
+  auto rigid =
+      unequal("<material id=\"3\" name=\"other\" type=\"rigid body\"><E>0</E></material>", true);
   EXPECT_EQ(error_with(rigid),
             "m.feb:38: Contact/contact/auto_penalty: surface 'up_face' is rigid, and FEBio's "
             "penalty from the E and v of the rigid material is not above 0: give a number, "
