@@ -9,7 +9,6 @@ import tempfile
 import unittest
 
 import numpy
-from scipy.optimize import brentq
 
 import scenes
 
@@ -61,14 +60,23 @@ def cubes(control=CONTROL, boundary=SIDEWAYS + FLOOR + PRESS, more=TOUCH, upper=
 '''
 
 
+def root(function):
+    """The zero of a growing or falling function between 0 and 10."""
+    low, high = 0.0, 10.0
+    sign = numpy.sign(function(high))
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if sign * function(middle) > 0 else (middle, high)
+    return low
+
+
 def pressed():
     """Displacements along z of the lower and the upper face in contact."""
     def stretch(modulus, p):
         return -p / modulus + (1 + (p / modulus)**2)**0.5
 
     penalty = FACTOR * LOWER + FACTOR * UPPER  # A/V = 1; FEBio's two passes add up
-    p = brentq(lambda p: stretch(LOWER, p) + stretch(UPPER, p) - p / penalty - 2 + DOWN, 0, 10,
-               xtol=1e-14)
+    p = root(lambda p: stretch(LOWER, p) + stretch(UPPER, p) - p / penalty - 2 + DOWN)
     return stretch(LOWER, p) - 1, 1 - DOWN - stretch(UPPER, p)
 
 
@@ -112,6 +120,25 @@ class Cubes(unittest.TestCase):
         numpy.testing.assert_allclose(before[UPPER_BOTTOM], -DOWN, rtol=1e-10)
         self.assertEqual(fields.times[-1], 2.0)
         self.expect_pressed(fields.nodal("displacement_z"))
+
+    def test_tied_cubes_pulled(self):
+        """The tie is a spring between the two: P = PENALTY (above - below)."""
+        penalty, up = 50.0, 0.2
+        pull = PRESS.replace(f"{-DOWN}", f"{up}")
+
+        def stretch(modulus, p):
+            return p / modulus + (1 + (p / modulus)**2)**0.5
+
+        p = root(lambda p: stretch(LOWER, p) + stretch(UPPER, p) + p / penalty - 2 - up)
+        for kind in ("tied-node-on-facet", "tied-elastic"):
+            tie = f'''<Contact><contact name="tie" surface_pair="pair" type="{kind}">
+              <penalty>{penalty}</penalty></contact></Contact>'''
+            with self.subTest(kind):
+                fields = self.run_cubes(cubes(boundary=SIDEWAYS + FLOOR + pull, more=tie)).fields
+                uz = fields.nodal("displacement_z")
+                numpy.testing.assert_allclose(uz[LOWER_TOP], stretch(LOWER, p) - 1, rtol=0, atol=1e-10)
+                numpy.testing.assert_allclose(uz[UPPER_BOTTOM], 1 + up - stretch(UPPER, p), rtol=0,
+                                              atol=1e-10)
 
     def test_rigid_body_goes_down_then_sideways(self):
         def step(dof, value, *held):

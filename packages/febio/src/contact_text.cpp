@@ -66,7 +66,9 @@ private:
       return;
     const bool last = static_cast<std::size_t>(c.step) + 1 == model_.steps.size();
     const char* why = nullptr;
-    if (rubs(c))
+    if (c.is_tied())
+      why = "a tie in one step alone";
+    else if (rubs(c))
       why = "friction in one step alone";
     else if (augments(c) && !last)
       why = "AUGLAG in one step alone, which is not the last";
@@ -92,10 +94,12 @@ private:
     lines_ = "  " + name + ":" + (name == c.name ? "" : "  # FEBio: " + c.name) + "\n";
     line("primary", quoted(p.primary));
     line("secondary", quoted(p.secondary));
-    if (c.type == "sliding-node-on-facet")
+    if (is_nodal(c))
       line("formulation", "node_on_facet");
-    if (c.type == "sliding-elastic")
+    if (takes_rays(c))
       line("formulation", "sliding_elastic");
+    if (c.is_tied())
+      tie(c, p);
     if (two_pass)
       line("two_pass", "true");
     add_penalty(c, penalty);
@@ -132,6 +136,28 @@ private:
            c.number("maxaug") > 0.0;
   }
 
+  static bool is_nodal(const Contact& c) {
+    return c.type == "sliding-node-on-facet" || c.type == "tied-node-on-facet";
+  }
+  static bool takes_rays(const Contact& c) {
+    return c.type == "sliding-elastic" || c.type == "tied-elastic";
+  }
+
+  /// FEBio ties what has a partner within a length; abut seeks that far at most.
+  void tie(const Contact& c, const SurfacePair& p) {
+    constexpr double farthest = 3.0;
+    const double length = c.number(is_nodal(c) ? "max_distance" : "search_radius");
+    const double in_sizes =
+        length > 0.0 ? rounded(length / mesh_.face_size(p.primary), 3) : farthest;
+    line("tied", "true");
+    line("tie_distance", number_text(std::min(in_sizes, farthest)));
+    if (is_nodal(c))
+      report_.add(
+          {c.line, "Contact/contact '" + c.name + "'", Fate::used,
+           "where the surfaces are apart at the start FEBio pulls them together, abut keeps "
+           "the distance"});
+  }
+
   static bool rubs(const Contact& c) {
     const auto found = c.values.find("fric_coeff");
     return found != c.values.end() && !found->second.is_zero() &&
@@ -149,7 +175,7 @@ private:
 
   void report_friction(const Contact& c) const {
     const bool nodal = c.type == "sliding-node-on-facet";
-    if (nodal && !rubs(c) && c.number("fric_coeff") != 0.0)
+    if (nodal && !rubs(c) && !c.values.at("fric_coeff").is_zero())
       report_.add({c.line, "Contact/contact/fric_coeff", Fate::ignored,
                    "FEBio has no friction where fric_penalty is 0"});
     if (!rubs(c))
@@ -167,7 +193,7 @@ private:
   /// relative change is (1 + d)^-2 below 1 for multipliers that grow by d.
   static double multiplier_tolerance(const Contact& c) {
     const double tolerance = c.number("tolerance");
-    if (c.type != "sliding-elastic" || tolerance <= 0.0)
+    if (!takes_rays(c) || tolerance <= 0.0)
       return tolerance;
     return rounded(tolerance < 1.0 ? tolerance / (1.0 + std::sqrt(1.0 - tolerance)) : 1.0, 3);
   }
@@ -179,7 +205,7 @@ private:
       line_unless("multiplier_tolerance", tolerance, 0.01);
     else
       line("multiplier_tolerance", "1e10  # FEBio asks for the gap alone");
-    line_unless("gap_limit", c.number("gaptol"), 0.0);
+    line_unless("gap_limit", std::max(0.0, c.number("gaptol")), 0.0);
     line_unless("min_augmentations", c.number("minaug"), 0.0);
     line_unless("max_augmentations", c.number("maxaug"), 20.0);
   }
@@ -193,6 +219,8 @@ private:
     line_unless("segment_updates", c.number("seg_up"), 0.0);
     if (c.flag("node_reloc"))
       line("initial_overlap", "adjust  # FEBio: node_reloc, which moves the nodes instead");
+    if (c.is_tied())
+      return;
     const double radius = c.number("search_radius");
     const double size = std::max(mesh_.face_size(p.primary), mesh_.face_size(p.secondary));
     const double in_sizes = rounded(radius / size, 3);

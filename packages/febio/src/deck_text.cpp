@@ -283,7 +283,7 @@ private:
         break;
       case Load::Kind::body_force:
         for (const Domain& d : model_.mesh.domains)
-          if (!model_.material(d.material)->is_rigid())
+          if (!model_.material(d.material)->is_rigid() && (l.place.empty() || l.place == d.name))
             add_load(l, (l.name.empty() ? "weight" : l.name) + "_of_" + d.name, "body_force",
                      -model_.material(d.material)->numbers.at("density"), "block", d.name);
         break;

@@ -172,12 +172,18 @@ private:
                    "another load acts on this component: give their sum"});
   }
 
+  bool acts_on(const Load& load, const RigidBody& body) const {
+    return std::any_of(body.domains.begin(), body.domains.end(), [&](std::size_t d) {
+      return load.place.empty() || load.place == model_.mesh.domains[d].name;
+    });
+  }
+
   void check_body_loads() {
     for (const Load& l : model_.loads)
       for (std::size_t i = 0; i < 3; ++i)
         for (const RigidBody& body : result_.bodies)
           if (l.kind == Load::Kind::body_force && body.free[i] && !l.vector[i].is_zero() &&
-              !body.domains.empty())
+              acts_on(l, body))
             report_.add({l.line, "Loads/body_load '" + l.name + "'", Fate::refused,
                          "rigid body '" + body.materials[0] +
                              "' is free to fall: give its weight as a rigid_force"});

@@ -123,7 +123,7 @@ struct RigidLoad {
 struct Load {
   enum class Kind { pressure, traction, nodal, body_force };
   Kind kind = Kind::pressure;
-  std::string name, place; ///< surface, node set; nothing for a body force
+  std::string name, place; ///< surface, node set; a body force's domain, or nothing for all
   int line = 0;
   int step = -1;
   std::array<Value, 3> vector{}; ///< pressure in the first
@@ -137,6 +137,7 @@ struct Contact {
 
   double number(const char* key) const { return values.at(key).number; }
   bool flag(const char* key) const { return number(key) != 0.0; }
+  bool is_tied() const { return type.compare(0, 5, "tied-") == 0; }
 };
 
 enum class Interpolation { linear, step, smooth };
