@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
-#include <sstream>
 
 namespace abut::app {
 
@@ -23,10 +23,10 @@ struct Arguments {
 
 std::string read_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || std::filesystem::is_directory(path) || !(text << in.rdbuf()))
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad() || !in.is_open() || std::filesystem::is_directory(path))
     throw InputError("cannot read the file '" + path + "'");
-  return text.str();
+  return text;
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {

@@ -109,8 +109,9 @@ std::vector<assembly::RigidBody> rigid_bodies(const Model& m) {
     const solid::RigidMotion& motion = options->motion;
     assembly::RigidBody body;
     body.name = options->name;
-    const deck::Curve curve = m.deck.curve(motion.curve);
     for (std::size_t i = 0; i < 6; ++i) {
+      const deck::Curve curve =
+          m.deck.curve(motion.curves[i].empty() ? motion.curve : motion.curves[i]);
       const double value = i < 3 ? motion.displacement[i] : motion.rotation[i - 3];
       if (!motion.free[i])
         body.prescribed[i] = [curve, value](double t) { return value * curve(t); };

@@ -264,6 +264,8 @@ class Refused(unittest.TestCase):
                     r"rigid\.free: unknown value 'w'")
         self.expect({"bodies": {"upper": {"rigid": {"load_curve": "up"}}}},
                     r"rigid\.load_curve: 'up' is not a name under curves")
+        self.expect({"bodies": {"upper": {"rigid": {"curves": {"rx": "up"}}}}},
+                    r"rigid\.curves\.rx: 'up' is not a name under curves")
         self.expect({"bodies": {"ghost": {"rigid": {"center": [0, 0, 0]}}}},
                     r"bodies\.ghost: expected .*blocks, node_sets")
         self.expect({"bodies": {"lower": {"node_sets": ["lower_top"]}}},

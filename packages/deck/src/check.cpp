@@ -89,6 +89,9 @@ private:
   void rigid(const std::string& path, const solid::RigidMotion& motion) const {
     curve(path, motion.curve);
     curve(path, motion.load_curve, ".load_curve");
+    constexpr const char* components[] = {".x", ".y", ".z", ".rx", ".ry", ".rz"};
+    for (std::size_t i = 0; i < 6; ++i)
+      curve(path + ".curves", motion.curves[i], components[i]);
   }
 
   void rigid_place(const std::string& path, const std::string& word) const {

@@ -70,6 +70,10 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
   v.optional("center", o.center, "point of the reference configuration to rotate about",
              unit("length"));
   v.optional("curve", o.curve, "factor over the load parameter; without one, t itself");
+  v.group("curves", "of single components, instead of 'curve'", [&](auto& w) {
+    for (std::size_t i = 0; i < 6; ++i)
+      w.optional(components[i], o.curves[i], "factor over the load parameter");
+  });
   std::vector<std::string> free;
   for (std::size_t i = 0; i < 6; ++i)
     if (o.free[i])

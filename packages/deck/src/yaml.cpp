@@ -3,6 +3,8 @@
 #include "abut/deck/parse.hpp"
 
 #include <algorithm>
+#include <sstream>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 namespace abut::deck {
@@ -12,6 +14,32 @@ namespace {
 // Aliases can refer to their own parent or double at every level; a deck needs neither.
 constexpr int deepest = 50;
 constexpr int most_values = 1000000;
+
+/// Where the documents of a text begin. yaml-cpp's own LoadAll never ends at a bracket too many.
+class Documents : public YAML::EventHandler {
+public:
+  explicit Documents(const std::string& text) {
+    std::istringstream in(text);
+    YAML::Parser parser(in);
+    while (starts.size() < 2 && parser.HandleNextDocument(*this))
+      continue;
+  }
+
+  std::vector<YAML::Mark> starts; ///< of the first two
+
+private:
+  using Style = YAML::EmitterStyle::value;
+  void OnDocumentStart(const YAML::Mark& mark) override { starts.push_back(mark); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, Style) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, Style) override {}
+  void OnMapEnd() override {}
+};
 
 class YamlReader {
 public:
@@ -101,13 +129,17 @@ private:
 
 Value parse_yaml(const std::string& text, const std::string& file) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    const Documents documents(text);
     const Location start{file, 1, 1};
-    if (documents.empty())
+    if (documents.starts.empty())
       YamlReader::fail(start, "the deck is empty");
-    if (documents.size() > 1)
-      YamlReader::fail(start, "the file holds several YAML documents ('---'), expected one");
-    Value top = YamlReader(file).read(documents[0], start, 0);
+    if (documents.starts.size() > 1) {
+      const YAML::Mark& second = documents.starts[1];
+      YamlReader::fail({file, second.line + 1, second.column + 1},
+                       "a second YAML document begins here ('---', or a bracket too many before "
+                       "it), expected one");
+    }
+    Value top = YamlReader(file).read(YAML::Load(text), start, 0);
     if (top.kind == Value::Kind::nothing)
       YamlReader::fail(start, "the deck is empty");
     if (top.kind != Value::Kind::map)

@@ -16,11 +16,8 @@ public:
 
   std::string text() {
     std::string out;
-    DeckNames names;
-    for (const Contact& c : model_.contacts) {
-      const std::string name = names.make(c.name, "contact");
-      out += "  " + name + ":" + (name == c.name ? "" : "  # FEBio: " + c.name) + "\n" + one(c);
-    }
+    for (const Contact& c : model_.contacts)
+      out += passes(c);
     return out.empty() ? "" : "contact:\n" + out;
   }
 
@@ -38,20 +35,74 @@ private:
       line(key, number_text(value));
   }
 
-  std::string one(const Contact& c) {
-    lines_.clear();
+  /// One entry, or two where FEBio's passes have penalties of their own.
+  std::string passes(const Contact& c) {
     const SurfacePair& p = pair(c);
     check_faces(c, p.primary, "flip_primary");
     check_faces(c, p.secondary, "flip_secondary");
+    check_step(c);
+    report_friction(c);
+    const std::string name = names_.make(c.name, "contact");
+    PassPenalty first = penalty_of(c, p.primary, p.secondary);
+    if (!c.flag("two_pass"))
+      return one(c, name, p, first, false);
+    const PassPenalty second = penalty_of(c, p.secondary, p.primary);
+    if (first.automatic == second.automatic && first.number == second.number) {
+      first.number *= 2.0; // each of abut's passes carries half
+      first.note = "twice FEBio's: its two passes add up";
+      return one(c, name, p, first, true);
+    }
+    const SurfacePair back = {p.name, p.secondary, p.primary, p.line};
+    return one(c, name, p, first, false) +
+           one(c, names_.make(name + "_second_pass", ""), back, second, false);
+  }
+
+  bool in_one_step(const Contact& c) const { return c.step >= 0 && model_.steps.size() > 1; }
+
+  /// A penalty that is zero in the other steps says that there is contact in one step alone, but
+  /// leaves multipliers and the history of friction.
+  void check_step(const Contact& c) const {
+    if (!in_one_step(c))
+      return;
+    const bool last = static_cast<std::size_t>(c.step) + 1 == model_.steps.size();
+    const char* why = nullptr;
+    if (c.is_tied())
+      why = "a tie in one step alone";
+    else if (rubs(c))
+      why = "friction in one step alone";
+    else if (augments(c) && !last)
+      why = "AUGLAG in one step alone, which is not the last";
+    if (why)
+      report_.add({c.line, "Contact/contact '" + c.name + "'", Fate::refused,
+                   std::string(why) + ": put the contact outside of the steps, or make a file of "
+                                      "each step"});
+  }
+
+  PassPenalty penalty_of(const Contact& c, const std::string& primary,
+                         const std::string& secondary) const {
+    const double number = c.number("penalty");
+    if (!c.flag("auto_penalty"))
+      return {false, number, "", ""};
+    const PassPenalty penalty = automatic_penalty(model_, mesh_, number, primary, secondary);
+    if (!penalty.refused.empty())
+      report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused, penalty.refused});
+    return penalty;
+  }
+
+  std::string one(const Contact& c, const std::string& name, const SurfacePair& p,
+                  const PassPenalty& penalty, bool two_pass) {
+    lines_ = "  " + name + ":" + (name == c.name ? "" : "  # FEBio: " + c.name) + "\n";
     line("primary", quoted(p.primary));
     line("secondary", quoted(p.secondary));
-    if (c.type == "sliding-node-on-facet")
+    if (is_nodal(c))
       line("formulation", "node_on_facet");
-    if (c.type == "sliding-elastic")
+    if (takes_rays(c))
       line("formulation", "sliding_elastic");
-    if (c.flag("two_pass"))
+    if (c.is_tied())
+      tie(c, p);
+    if (two_pass)
       line("two_pass", "true");
-    penalty(c);
+    add_penalty(c, penalty);
     friction(c);
     if (augments(c))
       augmentation(c);
@@ -70,37 +121,14 @@ private:
                    "the faces of surface '" + surface + "' point into their bodies"});
   }
 
-  /// FEBio adds up the two passes; each of abut's carries half.
-  void penalty(const Contact& c) {
-    const Value& penalty = c.values.at("penalty");
-    const double value = (c.flag("two_pass") ? 2.0 : 1.0) * penalty.number;
+  void add_penalty(const Contact& c, const PassPenalty& penalty) {
     if (augments(c))
       line("enforcement", "augmented_lagrangian");
-    const std::string note = c.flag("two_pass") ? "  # twice FEBio's: its two passes add up" : "";
-    if (!c.flag("auto_penalty"))
-      line("penalty", number_text(value) + note);
-    else
-      line("penalty_factor", number_text(value) + note);
-    if (penalty.curve > 0)
-      line("penalty_curve", curves_.of(penalty));
-    if (c.flag("auto_penalty"))
-      check_rigid_primary(c);
-  }
-
-  void check_rigid_primary(const Contact& c) const {
-    const SurfacePair& p = pair(c);
-    for (const auto* surface : {&p.primary, &p.secondary})
-      for (const mesh::SideData& side : mesh_.data().side_sets.at(*surface)) {
-        const Domain& d = model_.mesh.domains[static_cast<std::size_t>(side.block)];
-        if ((surface == &p.primary || c.flag("two_pass")) &&
-            model_.material(d.material)->is_rigid()) {
-          report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused,
-                       "surface '" + *surface +
-                           "' is rigid, and FEBio takes its penalty from the "
-                           "E and v of the rigid material: give a number, auto_penalty 0"});
-          return;
-        }
-      }
+    line(penalty.automatic ? "penalty_factor" : "penalty",
+         number_text(penalty.number) + (penalty.note.empty() ? "" : "  # " + penalty.note));
+    const int curve = c.values.at("penalty").curve;
+    if (curve > 0 || in_one_step(c))
+      line("penalty_curve", curves_.of(model_.course({1.0, curve, c.line}, c.step)).curve);
   }
 
   static bool augments(const Contact& c) {
@@ -108,19 +136,51 @@ private:
            c.number("maxaug") > 0.0;
   }
 
-  void friction(const Contact& c) {
+  static bool is_nodal(const Contact& c) {
+    return c.type == "sliding-node-on-facet" || c.type == "tied-node-on-facet";
+  }
+  static bool takes_rays(const Contact& c) {
+    return c.type == "sliding-elastic" || c.type == "tied-elastic";
+  }
+
+  /// FEBio ties what has a partner within a length; abut seeks that far at most.
+  void tie(const Contact& c, const SurfacePair& p) {
+    constexpr double farthest = 3.0;
+    const double length = c.number(is_nodal(c) ? "max_distance" : "search_radius");
+    const double in_sizes =
+        length > 0.0 ? rounded(length / mesh_.face_size(p.primary), 3) : farthest;
+    line("tied", "true");
+    line("tie_distance", number_text(std::min(in_sizes, farthest)));
+    if (is_nodal(c))
+      report_.add(
+          {c.line, "Contact/contact '" + c.name + "'", Fate::used,
+           "where the surfaces are apart at the start FEBio pulls them together, abut keeps "
+           "the distance"});
+  }
+
+  static bool rubs(const Contact& c) {
     const auto found = c.values.find("fric_coeff");
-    if (found == c.values.end() || found->second.is_zero())
+    return found != c.values.end() && !found->second.is_zero() &&
+           (c.type != "sliding-node-on-facet" || c.number("fric_penalty") != 0.0);
+  }
+
+  void friction(const Contact& c) {
+    if (!rubs(c))
       return;
-    if (c.type == "sliding-node-on-facet" && c.number("fric_penalty") == 0.0) {
+    const Value& mu = c.values.at("fric_coeff");
+    line("friction", number_text(mu.number));
+    if (mu.curve > 0)
+      line("friction_curve", curves_.of(mu));
+  }
+
+  void report_friction(const Contact& c) const {
+    const bool nodal = c.type == "sliding-node-on-facet";
+    if (nodal && !rubs(c) && !c.values.at("fric_coeff").is_zero())
       report_.add({c.line, "Contact/contact/fric_coeff", Fate::ignored,
                    "FEBio has no friction where fric_penalty is 0"});
+    if (!rubs(c))
       return;
-    }
-    line("friction", number_text(found->second.number));
-    if (found->second.curve > 0)
-      line("friction_curve", curves_.of(found->second));
-    if (c.type == "sliding-node-on-facet")
+    if (nodal)
       report_.add({c.line, "Contact/contact/fric_penalty", Fate::used,
                    "abut resists stick with the penalty of the normal direction"});
     if (!augments(c))
@@ -133,7 +193,7 @@ private:
   /// relative change is (1 + d)^-2 below 1 for multipliers that grow by d.
   static double multiplier_tolerance(const Contact& c) {
     const double tolerance = c.number("tolerance");
-    if (c.type != "sliding-elastic" || tolerance <= 0.0)
+    if (!takes_rays(c) || tolerance <= 0.0)
       return tolerance;
     return rounded(tolerance < 1.0 ? tolerance / (1.0 + std::sqrt(1.0 - tolerance)) : 1.0, 3);
   }
@@ -145,7 +205,7 @@ private:
       line_unless("multiplier_tolerance", tolerance, 0.01);
     else
       line("multiplier_tolerance", "1e10  # FEBio asks for the gap alone");
-    line_unless("gap_limit", c.number("gaptol"), 0.0);
+    line_unless("gap_limit", std::max(0.0, c.number("gaptol")), 0.0);
     line_unless("min_augmentations", c.number("minaug"), 0.0);
     line_unless("max_augmentations", c.number("maxaug"), 20.0);
   }
@@ -159,6 +219,8 @@ private:
     line_unless("segment_updates", c.number("seg_up"), 0.0);
     if (c.flag("node_reloc"))
       line("initial_overlap", "adjust  # FEBio: node_reloc, which moves the nodes instead");
+    if (c.is_tied())
+      return;
     const double radius = c.number("search_radius");
     const double size = std::max(mesh_.face_size(p.primary), mesh_.face_size(p.secondary));
     const double in_sizes = rounded(radius / size, 3);
@@ -170,6 +232,7 @@ private:
   const MeshTranslation& mesh_;
   DeckCurves& curves_;
   Report& report_;
+  DeckNames names_;
   std::string lines_;
 };
 

@@ -5,31 +5,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace abut::febio {
 
 namespace {
 
-/// Steps of one size that meet all points that must be met.
-int step_count(const Model& model, double end) {
+/// Times that a step must end at: ends of the parts, and must points within them.
+std::vector<double> must_points(const Model& model) {
+  std::vector<double> times;
+  for (std::size_t s = 0; s < model.steps.size(); ++s) {
+    const Step& step = model.steps[s];
+    const double start = model.start(s), end = model.start(s + 1);
+    times.push_back(end);
+    if (step.must_points_curve == 0)
+      continue;
+    const auto curve = model.curves.find(step.must_points_curve);
+    if (curve == model.curves.end())
+      throw InputError(model.where(step.line) + ": there is no load controller " +
+                       std::to_string(step.must_points_curve) + " for dtmax");
+    for (const auto& p : curve->second.points)
+      if (p[0] > start && p[0] < end)
+        times.push_back(p[0]);
+  }
+  return times;
+}
+
+/// Steps of one size, the smallest of the file's or finer, that meet all points that must be met.
+int step_count(const Model& model, Report& report) {
   constexpr int finest = 20;
-  const Control& control = model.control;
-  if (control.must_points_curve == 0)
-    return control.steps;
-  const auto curve = model.curves.find(control.must_points_curve);
-  if (curve == model.curves.end())
-    throw InputError(model.where(control.line) + ": there is no load controller " +
-                     std::to_string(control.must_points_curve) + " for dtmax");
+  const std::vector<double> times = must_points(model);
+  const double end = model.end();
+  double size = end;
+  for (const Step& step : model.steps)
+    size = std::min(size, step.size);
+  const int count = static_cast<int>(std::lround(end / size));
   for (int finer = 1; finer <= finest; ++finer) {
-    const int steps = finer * control.steps;
-    const auto meets = [&](const std::array<double, 2>& p) {
-      const double at = p[0] / end * steps;
-      return p[0] <= 0.0 || p[0] >= end || std::abs(at - std::round(at)) < 1e-6;
-    };
-    if (std::all_of(curve->second.points.begin(), curve->second.points.end(), meets))
+    const int steps = finer * count;
+    if (std::all_of(times.begin(), times.end(), [&](double t) {
+          return std::abs(t / end * steps - std::round(t / end * steps)) < 1e-6;
+        }))
       return steps;
   }
-  return control.steps;
+  if (model.steps.size() > 1)
+    report.add({model.steps[0].line, "Control", Fate::refused,
+                "abut's steps have one size, and none above a twentieth of the smallest step_size "
+                "meets the ends of all steps: choose sizes that have a common measure"});
+  return count;
 }
 
 std::string comment(const std::string& name, const std::string& febio, const std::string& more) {
@@ -39,11 +61,12 @@ std::string comment(const std::string& name, const std::string& febio, const std
   return text.empty() ? "" : "  # FEBio: " + text;
 }
 
+constexpr const char* components[] = {"x", "y", "z", "rx", "ry", "rz"};
+
 class DeckWriter {
 public:
   DeckWriter(const Model& model, MeshTranslation& mesh, Report& report)
-      : model_(model), mesh_(mesh), report_(report),
-        end_(model.control.steps * model.control.step_size), curves_(model, end_),
+      : model_(model), mesh_(mesh), report_(report), curves_(model),
         rigid_(rigid_bodies(model, mesh, report)) {}
 
   std::string text(const std::string& name) {
@@ -56,8 +79,8 @@ public:
     const std::string loads_part = loads();
     const std::string contact_part = contact_text(model_, mesh_, curves_, report_);
     out += loads_part + curves_.text() + contact_part;
-    out += "time: {end: " + number_text(end_) +
-           ", steps: " + std::to_string(step_count(model_, end_)) + "}\n";
+    out += "time: {end: " + number_text(model_.end()) +
+           ", steps: " + std::to_string(step_count(model_, report_)) + "}\n";
     return out + "output: {name: " + quoted(name + "_results") + "}\n";
   }
 
@@ -153,30 +176,66 @@ private:
 
   std::string motion(const RigidBody& body) {
     FlowMap map;
-    const auto part = [](const std::array<double, 6>& a, std::size_t first) {
-      return std::array<double, 3>{a[first], a[first + 1], a[first + 2]};
+    const auto part = [](const std::array<Timed, 6>& a, std::size_t first) {
+      return std::array<double, 3>{a[first].number, a[first + 1].number, a[first + 2].number};
     };
     const auto add = [&](const char* key, const std::array<double, 3>& v) {
       if (v != std::array<double, 3>{})
         map.add(key, vector_text(v));
     };
-    add("displacement", part(body.motion, 0));
-    add("rotation", part(body.motion, 3));
+    const std::array<Timed, 6> motion = timed(body.motion);
+    add("displacement", part(motion, 0));
+    add("rotation", part(motion, 3));
     add("center", {body.center[0], body.center[1], body.center[2]});
-    if (body.has_motion)
-      map.add("curve", curves_.of(body.motion_curve));
-    constexpr const char* words[] = {"x", "y", "z", "rx", "ry", "rz"};
+    add_curves(map, motion);
     std::vector<std::string> free;
     for (std::size_t i = 0; i < 6; ++i)
       if (body.free[i])
-        free.push_back(words[i]);
+        free.push_back(components[i]);
     if (!free.empty())
       map.add("free", list_text(free));
-    add("force", part(body.load, 0));
-    add("moment", part(body.load, 3));
-    if (body.has_load)
-      map.add("load_curve", curves_.of(body.load_curve));
+    const std::array<Timed, 6> load = timed(body.load);
+    add("force", part(load, 0));
+    add("moment", part(load, 3));
+    if (body.is_loaded())
+      map.add("load_curve", curve_of_load(body, load));
     return map.text();
+  }
+
+  std::array<Timed, 6> timed(const std::array<Course, 6>& courses) {
+    std::array<Timed, 6> result;
+    for (std::size_t i = 0; i < 6; ++i)
+      if (!courses[i].empty())
+        result[i] = curves_.of(courses[i]);
+    return result;
+  }
+
+  /// One curve, or a map of curves where components differ.
+  static void add_curves(FlowMap& map, const std::array<Timed, 6>& motion) {
+    FlowMap each;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < 6; ++i)
+      if (!motion[i].curve.empty()) {
+        each.add(components[i], motion[i].curve);
+        names.insert(motion[i].curve);
+      }
+    if (names.size() == 1)
+      map.add("curve", *names.begin());
+    else if (names.size() > 1)
+      map.add("curves", each.text());
+  }
+
+  std::string curve_of_load(const RigidBody& body, const std::array<Timed, 6>& load) {
+    std::set<std::string> names;
+    for (const Timed& t : load)
+      if (!t.curve.empty())
+        names.insert(t.curve);
+    if (names.size() > 1)
+      report_.add({model_.material(body.materials[0])->line, "Rigid/rigid_load", Fate::refused,
+                   "loads on rigid body '" + body.materials[0] +
+                       "' follow different load curves: abut has one curve for the loads of a "
+                       "body"});
+    return *names.begin();
   }
 
   /// Entries of one load: components that follow one curve stand together.
@@ -190,7 +249,7 @@ private:
       FlowMap map;
       map.add(key, vector_text(vector));
       map.add(place_key, quoted(place));
-      map.add("curve", curves_.of({1.0, curve, l.line}));
+      map.add("curve", curves_.of(model_.course({1.0, curve, l.line}, l.step)).curve);
       const std::string unique = load_names_.make(name, "load");
       loads_ += "  " + unique + ": " + map.text() + comment(unique, l.name, "") + "\n";
     }
@@ -208,9 +267,10 @@ private:
       case Load::Kind::pressure: {
         require_outward(l);
         FlowMap map;
+        const Value factor = {1.0, l.vector[0].curve, l.line};
         map.add("pressure", l.vector[0].number);
         map.add("side_set", quoted(l.place));
-        map.add("curve", curves_.of(l.vector[0]));
+        map.add("curve", curves_.of(model_.course(factor, l.step)).curve);
         const std::string name = load_names_.make(l.name, "pressure");
         loads_ += "  " + name + ": " + map.text() + comment(name, l.name, "") + "\n";
         break;
@@ -223,7 +283,7 @@ private:
         break;
       case Load::Kind::body_force:
         for (const Domain& d : model_.mesh.domains)
-          if (!model_.material(d.material)->is_rigid())
+          if (!model_.material(d.material)->is_rigid() && (l.place.empty() || l.place == d.name))
             add_load(l, (l.name.empty() ? "weight" : l.name) + "_of_" + d.name, "body_force",
                      -model_.material(d.material)->numbers.at("density"), "block", d.name);
         break;
@@ -244,7 +304,6 @@ private:
   const Model& model_;
   MeshTranslation& mesh_;
   Report& report_;
-  double end_;
   DeckCurves curves_;
   RigidBodies rigid_;
   DeckNames material_names_, load_names_;

@@ -49,10 +49,16 @@ std::string from_latin1(const std::string& s) {
   return out;
 }
 
+/// Numbers so large or small are taken for mistakes: their products would not be finite.
+constexpr double largest = 1e100;
+bool is_sane(double x) {
+  return std::abs(x) <= largest && (x == 0.0 || std::abs(x) >= 1.0 / largest);
+}
+
 bool parse_double(const std::string& s, double& x) {
   char* end = nullptr;
   x = std::strtod(s.c_str(), &end);
-  return !s.empty() && end == s.c_str() + s.size() && std::isfinite(x) &&
+  return !s.empty() && end == s.c_str() + s.size() && is_sane(x) &&
          s.find_first_of("xX") == std::string::npos;
 }
 
@@ -214,7 +220,12 @@ std::optional<std::string> Element::attribute(const char* name) {
   const pugi::xml_attribute a = node_.attribute(name);
   if (!a)
     return {};
-  return trimmed(a.value());
+  const std::string value = trimmed(a.value());
+  constexpr std::size_t longest = 240; // a name in Exodus files, with room for what is added to it
+  if (value.size() > longest)
+    fail(std::string("attribute '") + name + "' is longer than " + std::to_string(longest) +
+         " bytes");
+  return value;
 }
 
 std::string Element::required_attribute(const char* name) {
@@ -268,7 +279,9 @@ std::string Element::text() const {
 double Element::number() const {
   double x = 0.0;
   if (!parse_double(text(), x))
-    fail("expected a number, got '" + text() + "'");
+    fail((is_sane(x) ? "expected a number, got '"
+                     : "expected a number from 1e-100 to 1e100, got '") +
+         text() + "'");
   return x;
 }
 

@@ -70,6 +70,15 @@ void append_cycle(Points& out, const LoadCurve& curve, double jump, double dt, d
   }
 }
 
+/// Linear between the points, constant beyond.
+double value_at(const Points& p, double t) {
+  const auto upper =
+      std::lower_bound(p.begin(), p.end(), t, [](const auto& a, double x) { return a[0] < x; });
+  if (upper == p.end())
+    return p.back()[1];
+  return upper == p.begin() || (*upper)[0] == t ? (*upper)[1] : linear(*(upper - 1), *upper, t);
+}
+
 void extrapolate(Points& out, double end) {
   const std::size_t n = out.size();
   if (out[n - 1][0] < end)
@@ -122,12 +131,7 @@ std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double en
   return out;
 }
 
-std::string DeckCurves::of(const Value& value) {
-  const auto known = used_.find(value.curve);
-  if (known != used_.end())
-    return known->second;
-  if (value.curve == 0)
-    return used_[0] = names_.make("constant", "constant");
+const LoadCurve& DeckCurves::find(const Value& value) const {
   const auto found = model_.curves.find(value.curve);
   if (found == model_.curves.end())
     throw InputError(model_.where(value.line) + ": there is no load controller " +
@@ -138,20 +142,81 @@ std::string DeckCurves::of(const Value& value) {
   if (points.size() > 1 && end_ - points.front()[0] > most_cycles * period)
     throw InputError(model_.where(found->second.line) + ": load curve '" + found->second.name +
                      "' ends long before the model does, which is " + number_text(end_));
-  return used_[value.curve] = names_.make(found->second.name, "curve");
+  return found->second;
+}
+
+std::string DeckCurves::of(const Value& value) {
+  const auto known = used_.find(value.curve);
+  if (known != used_.end())
+    return known->second;
+  if (value.curve == 0)
+    return used_[0] = names_.make("constant", "constant");
+  return used_[value.curve] = names_.make(find(value).name, "curve");
+}
+
+Timed DeckCurves::of(const Course& course) {
+  if (course.size() == 1)
+    return {course[0].number, of(course[0])};
+  double common = 0.0; // what all steps share
+  std::string name;
+  for (std::size_t s = 0; s < course.size(); ++s) {
+    const Value& v = course[s];
+    if (v.is_zero())
+      continue;
+    common = common == 0.0 || common == v.number ? v.number : 1.0;
+    name += (name.empty() ? "" : "_") + (v.curve == 0 ? "constant" : find(v).name) + "_in_step_" +
+            std::to_string(s + 1);
+  }
+  if (common == 0.0)
+    return {0.0, of(Value{})};
+  Pieces pieces;
+  for (const Value& v : course)
+    pieces.push_back(v.is_zero() ? std::pair(0.0, 0) : std::pair(v.number / common, v.curve));
+  if (std::all_of(pieces.begin(), pieces.end(), [&](const auto& p) { return p == pieces[0]; }))
+    return {common, of(Value{common, pieces[0].second, course[0].line})};
+  const auto known = composed_.find(pieces);
+  if (known != composed_.end())
+    return {common, known->second};
+  return {common, composed_[pieces] = names_.make(name, "curve")};
+}
+
+std::vector<std::array<double, 2>> DeckCurves::points(int id) const {
+  if (id == 0)
+    return {{0.0, 1.0}, {end_, 1.0}};
+  return deck_points(model_.curves.at(id), end_);
+}
+
+std::vector<std::array<double, 2>> DeckCurves::points(const Pieces& pieces) const {
+  const double jump = 1e-9 * end_;
+  Points out;
+  for (std::size_t s = 0; s < pieces.size(); ++s) {
+    const double start = model_.start(s), stop = model_.start(s + 1), factor = pieces[s].first;
+    const Points base = points(pieces[s].second);
+    const double first = factor * value_at(base, start);
+    if (out.empty())
+      out.push_back({start, first});
+    else if (first != out.back()[1])
+      append(out, start + jump, first);
+    for (const auto& p : base)
+      if (p[0] > start && p[0] < stop)
+        append(out, p[0], factor * p[1]);
+    append(out, stop, factor * value_at(base, stop));
+  }
+  return out;
 }
 
 std::string DeckCurves::text() const {
   std::string out;
-  for (const auto& [id, name] : used_) {
-    std::vector<std::string> points;
-    if (id == 0)
-      points = {"[0, 1]", "[" + number_text(end_) + ", 1]"};
-    else
-      for (const auto& p : deck_points(model_.curves.at(id), end_))
-        points.push_back(list_text({number_text(p[0]), number_text(p[1])}));
-    out += "  " + name + ": " + list_text(points) + "\n";
-  }
+  const auto add = [&](const std::string& name, const Points& points) {
+    std::vector<std::string> items;
+    for (const auto& p : points)
+      items.push_back(list_text({number_text(p[0]), number_text(p[1])}));
+    out += "  " + name + ": " + list_text(items) + "\n";
+  };
+  for (const auto& [id, name] : used_)
+    add(name, points(id));
+  for (const auto& [pieces, name] : composed_)
+    add(name, points(pieces));
   return out.empty() ? "" : "curves:\n" + out;
 }
 

@@ -3,6 +3,7 @@
 
 #include "abut/core/error.hpp"
 #include "abut/fem/cell_shape.hpp"
+#include "abut/fem/face_shape.hpp"
 #include "abut/fem/quadrature.hpp"
 
 #include <algorithm>
@@ -90,6 +91,22 @@ template <class Shape> CellMeasure measure_cell(const Vec3* x) {
   return m;
 }
 
+template <class Shape> double measure_face(const Vec3* x) {
+  const fem::Rule<2> rule = fem::face_rule(Shape::type, fem::default_points(Shape::type));
+  double area = 0.0;
+  for (int p = 0; p < rule.size(); ++p) {
+    double dN[Shape::nodes][2];
+    Shape::derivatives(rule.xi[static_cast<std::size_t>(p)].data(), dN);
+    Vec3 t1 = Vec3::zero(), t2 = Vec3::zero();
+    for (int a = 0; a < Shape::nodes; ++a) {
+      t1 += dN[a][0] * x[a];
+      t2 += dN[a][1] * x[a];
+    }
+    area += rule.weight[static_cast<std::size_t>(p)] * norm(cross(t1, t2));
+  }
+  return area;
+}
+
 } // namespace
 
 MeshTranslation::MeshTranslation(const Model& model, Report& report) : model_(model) {
@@ -157,6 +174,7 @@ void MeshTranslation::measure() {
         throw InputError(text.str());
       }
       bulk.volume += m.volume;
+      bulk.volumes.push_back(m.volume);
       moment += m.moment;
     }
     bulk.centroid = 1.0 / bulk.volume * moment;
@@ -279,6 +297,20 @@ double MeshTranslation::face_size(const std::string& surface) const {
         ++count;
       }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+double MeshTranslation::inverse_depth(const mesh::SideData& side) const {
+  const std::size_t domain = static_cast<std::size_t>(side.block);
+  const std::size_t element = static_cast<std::size_t>(side.element);
+  const Domain& d = model_.mesh.domains[domain];
+  const fem::CellSide& face = fem::side(d.cell, side.side);
+  const std::size_t first = element * static_cast<std::size_t>(fem::info(d.cell).nodes);
+  Vec3 x[fem::max_face_nodes];
+  for (int a = 0; a < fem::face_nodes(face.type); ++a)
+    x[a] = position(d.nodes[first + static_cast<std::size_t>(face.nodes[a])]);
+  const double area =
+      fem::dispatch_face(face.type, [&](auto shape) { return measure_face<decltype(shape)>(x); });
+  return area / bulk_[domain].volumes[element];
 }
 
 } // namespace abut::febio

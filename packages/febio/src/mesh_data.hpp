@@ -38,9 +38,12 @@ public:
   /// Volume and centroid of a domain in the reference configuration.
   struct Bulk {
     double volume = 0.0;
+    std::vector<double> volumes; ///< (elements)
     Vec3 centroid = Vec3::zero();
   };
   const Bulk& bulk(std::size_t domain) const { return bulk_[domain]; }
+  /// Area of a side over the volume of its element [1/length].
+  double inverse_depth(const mesh::SideData& side) const;
 
 private:
   void add_nodes(Report& report);

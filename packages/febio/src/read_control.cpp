@@ -7,26 +7,21 @@ namespace abut::febio {
 
 namespace {
 
-void read_time_stepper(Element stepper, Control& control) {
+void read_time_stepper(Element stepper, Step& step) {
   stepper.attribute("type");
-  control.adaptive = true;
-  control.smallest_step = stepper.number_or("dtmin", 0.0);
   if (auto largest = stepper.child("dtmax")) {
-    control.must_points_curve = largest->value().curve;
+    step.must_points_curve = largest->value().curve;
     largest->note("steps never grow beyond step_size");
   }
-  stepper.ignore({"max_retries", "opt_iter", "aggressiveness", "cutback", "dtforce"},
+  stepper.ignore({"max_retries", "opt_iter", "dtmin", "aggressiveness", "cutback", "dtforce"},
                  "abut has its own rule for the size of steps");
 }
 
 } // namespace
 
 void read_control(Element section, Model& model) {
-  if (model.control.given)
-    section.fail("a second one; the first is in line " + std::to_string(model.control.line));
-  Control& control = model.control;
-  control.given = true;
-  control.line = section.line();
+  Step step;
+  step.line = section.line();
   if (auto analysis = section.child("analysis")) {
     std::string type = analysis->text();
     std::transform(type.begin(), type.end(), type.begin(),
@@ -34,18 +29,19 @@ void read_control(Element section, Model& model) {
     if (type != "STATIC" && type != "0")
       analysis->refuse("'" + type + "': abut is static; set STATIC when inertia does not matter");
   }
-  control.steps = section.whole_or("time_steps", control.steps);
-  if (control.steps < 1)
+  step.count = section.whole_or("time_steps", step.count);
+  if (step.count < 1)
     section.required_child("time_steps").fail("expected 1 or more");
-  control.step_size = section.number_or("step_size", control.step_size);
-  if (!(control.step_size > 0.0))
+  step.size = section.number_or("step_size", step.size);
+  if (!(step.size > 0.0))
     section.required_child("step_size").fail("expected a number > 0");
   if (auto stepper = section.child("time_stepper"))
-    read_time_stepper(*stepper, control);
+    read_time_stepper(*stepper, step);
   section.ignore("solver", "abut has its own Newton method and tolerances");
   section.ignore({"plot_zero_state", "plot_range", "plot_level", "output_level", "plot_stride",
                   "output_stride", "adaptor_re_solve", "title"},
                  "abut writes every converged step");
+  model.steps.push_back(step);
 }
 
 } // namespace abut::febio

@@ -83,8 +83,11 @@ void read_body_load(Element load, Model& model) {
     load.refuse("type '" + type + "': abut has const");
     return;
   }
-  if (load.attribute("elem_set"))
-    load.refuse("abut takes a body load for all bodies, without elem_set");
+  l.place = load.attribute_or("elem_set", "");
+  const auto& domains = model.mesh.domains;
+  if (!l.place.empty() && std::none_of(domains.begin(), domains.end(),
+                                       [&](const Domain& d) { return d.name == l.place; }))
+    load.refuse("abut takes a body load for all bodies or for one <Elements> by its name");
   constexpr const char* axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i)
     l.vector[i] = load.value_or(axes[i], 0.0);

@@ -26,13 +26,17 @@ void read_numbers(Element material, std::initializer_list<Parameter> parameters,
 }
 
 void read_ogden_terms(Element material, Material& m) {
+  double sum = 0.0;
   for (int k = 1; k <= 6; ++k) {
     const std::string c = "c" + std::to_string(k), power = "m" + std::to_string(k);
     m.numbers[c] = material.number_or(c.c_str(), 0.0);
     m.numbers[power] = material.number_or(power.c_str(), 1.0);
     if (m.numbers[c] != 0.0 && m.numbers[power] == 0.0)
       material.required_child(power.c_str()).fail("expected a power that is not zero");
+    sum += m.numbers[c];
   }
+  if (!(sum > 0.0))
+    material.fail("expected terms c1, ... whose sum, twice the shear modulus, is > 0");
 }
 
 void read_pressure_model(Element material) {
@@ -84,6 +88,7 @@ void read_materials(Element section, Model& model) {
     m.type = material.required_attribute("type");
     require_new_name(material, model.materials, m.name);
     m.numbers["density"] = material.number_or("density", 1.0);
+    require(material, m, "density", m.numbers["density"] >= 0.0, "a number >= 0");
     if (m.is_rigid()) {
       read_rigid_body(material, m);
     } else if (m.type == "neo-Hookean" || m.type == "isotropic elastic" ||
@@ -102,6 +107,7 @@ void read_materials(Element section, Model& model) {
       read_ogden_terms(material, m);
     } else if (m.type == "Ogden unconstrained") {
       read_numbers(material, {{"cp", true, 0.0}}, m);
+      require(material, m, "cp", m.numbers["cp"] >= 0.0, "a number >= 0");
       read_ogden_terms(material, m);
     } else {
       material.refuse("type '" + m.type + "'; " +

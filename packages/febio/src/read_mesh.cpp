@@ -192,8 +192,9 @@ private:
     const auto most = static_cast<Global>(node_line_.size() + element_line_.size());
     if (numbers[0] < 0 || (numbers[1] - numbers[0]) / numbers[2] > most)
       part.fail("the range '" + word + "' is longer than the mesh");
-    for (Global n = numbers[0]; n <= numbers[1]; n += numbers[2])
-      result.push_back(n);
+    result.push_back(numbers[0]);
+    while (numbers[1] - result.back() >= numbers[2])
+      result.push_back(result.back() + numbers[2]);
   }
 
   void node_set(Element part) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/febio/import.hpp"
 #include "readers.hpp"
+#include "yaml_text.hpp"
 
 namespace abut::febio {
 
@@ -27,11 +28,9 @@ void refuse_sections(Element parent) {
         section.refuse(why);
 }
 
-/// Sections that may also stand in a step.
+/// Sections that may also stand in a step, but for Control.
 void read_physics(Element parent, Model& model) {
   refuse_sections(parent);
-  if (const auto section = parent.child("Control"))
-    read_control(*section, model);
   if (const auto section = parent.child("Boundary"))
     read_boundary(*section, model);
   if (const auto section = parent.child("Rigid"))
@@ -42,24 +41,73 @@ void read_physics(Element parent, Model& model) {
     read_contacts(*section, model);
 }
 
-void read_steps(Element root, Model& model) {
-  auto section = root.child("Step");
-  if (!section)
-    return;
-  std::vector<Element> steps = section->children("step");
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    steps[i].attribute("id");
-    steps[i].attribute("name");
-    steps[i].attribute("type");
-    if (i == 0)
-      read_physics(steps[i], model);
-    else
-      steps[i].refuse("what holds in one step only needs as many runs: make a file of each step; "
-                      "abut imports one");
+/// Reads what holds in one step alone.
+class StepReader {
+public:
+  explicit StepReader(Model& model) : model_(model) {}
+
+  void read(Element step, int index) {
+    each([](auto& list, std::size_t& before) { before = list.size(); });
+    read_physics(step, model_);
+    each([&](auto& list, std::size_t& before) {
+      for (std::size_t i = before; i < list.size(); ++i)
+        list[i].step = index;
+    });
   }
+
+private:
+  template <class F> void each(F f) {
+    f(model_.displacements, before_[0]);
+    f(model_.ties, before_[1]);
+    f(model_.rigid_conditions, before_[2]);
+    f(model_.rigid_loads, before_[3]);
+    f(model_.loads, before_[4]);
+    f(model_.contacts, before_[5]);
+  }
+
+  Model& model_;
+  std::array<std::size_t, 6> before_{};
+};
+
+void read_steps(Element root, Model& model) {
+  auto control = root.child("Control");
+  auto section = root.child("Step");
+  std::vector<Element> steps = section ? section->children("step") : std::vector<Element>{};
+  if (control)
+    read_control(*control, model);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (const char* key : {"id", "name", "type"})
+      steps[i].attribute(key);
+    auto own = steps[i].child("Control");
+    if (control && own)
+      own->fail("a second one; the first is in line " + std::to_string(control->line()) +
+                ", outside of the steps");
+    if (own)
+      read_control(*own, model);
+    else if (!control || steps.size() > 1)
+      steps[i].fail("expected an element <Control> in it");
+    StepReader(model).read(steps[i], static_cast<int>(i));
+  }
+  if (model.steps.empty())
+    root.fail("expected an element <Control> in it or in its <step>");
 }
 
 } // namespace
+
+double Model::start(std::size_t step) const {
+  double t = 0.0;
+  for (std::size_t i = 0; i < step; ++i)
+    t += steps[i].count * steps[i].size;
+  return rounded(t, 12);
+}
+
+Course Model::course(const Value& value, int step) const {
+  if (step < 0 || steps.size() == 1)
+    return {value};
+  Course result(steps.size(), Value{0.0, 0, value.line});
+  result[static_cast<std::size_t>(step)] = value;
+  return result;
+}
 
 const Material* Model::material(const std::string& name) const {
   for (const Material& m : materials)
@@ -88,8 +136,6 @@ Model read_model(const std::string& text, const std::string& file, Report& repor
   read_physics(root, model);
   read_steps(root, model);
   root.ignore("Output", "abut writes displacement, contact fields, stress and energy always");
-  if (!model.control.given)
-    root.fail("expected an element <Control> in it or in its <step>");
   report = document.report();
   return model;
 }

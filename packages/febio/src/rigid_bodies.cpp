@@ -23,17 +23,16 @@ public:
   RigidBodies build() {
     members();
     bodies();
+    held_.resize(result_.bodies.size());
     for (const RigidCondition& c : model_.rigid_conditions)
-      if (c.fixed)
-        condition(c);
-    for (const RigidCondition& c : model_.rigid_conditions)
-      if (!c.fixed)
-        condition(c);
+      condition(c);
+    for (std::size_t b = 0; b < result_.bodies.size(); ++b)
+      free_components(b);
     for (const RigidLoad& l : model_.rigid_loads)
       load(l);
     check_body_loads();
     for (RigidBody& body : result_.bodies)
-      if (body.turns() || body.has_load)
+      if (body.turns() || body.is_loaded())
         body.center = center(body);
     return std::move(result_);
   }
@@ -52,6 +51,11 @@ private:
         for (const Global id : domain.nodes)
           claim(id, index(domain.material));
     }
+    for (const RigidTie& tie : model_.ties)
+      if (tie.step >= 0 && model_.steps.size() > 1)
+        report_.add({tie.line, "Boundary/bc '" + tie.name + "'", Fate::refused,
+                     "nodes move with the rigid body in one step alone: put it outside of the "
+                     "steps, or make a file of each step"});
     for (const RigidTie& tie : model_.ties)
       for (const Global id : mesh_.nodes_of(tie.place, tie.line))
         claim(id, index(tie.body));
@@ -102,21 +106,54 @@ private:
                  "the rigid body has neither elements nor nodes"});
   }
 
+  /// Adds a value that holds in one step, or in all, to what is there. False: a step has one.
+  bool add(Course& course, const Value& value, int step) const {
+    const Course more = model_.course(value, step);
+    if (course.size() < more.size())
+      course = Course(more.size(), course.empty() ? Value{} : course[0]);
+    for (std::size_t s = 0; s < course.size(); ++s) {
+      const Value& v = more[more.size() == 1 ? 0 : s];
+      if (v.is_zero())
+        continue;
+      if (!course[s].is_zero())
+        return false;
+      course[s] = v;
+    }
+    return true;
+  }
+
   void condition(const RigidCondition& c) {
     RigidBody* body = find(c.body);
     if (!body)
       return without_nodes(c.line, c.name);
+    Holders& held = held_[static_cast<std::size_t>(body - result_.bodies.data())];
     for (std::size_t i = 0; i < 6; ++i) {
       if (!c.components[i])
         continue;
-      body->free[i] = false;
-      if (c.value.is_zero())
-        continue;
-      if (body->motion[i] != 0.0)
+      held[i].push_back(&c);
+      if (!c.value.is_zero() && !add(body->motion[i], c.value, c.step))
         throw InputError(model_.where(c.line) + ": component " + "xyzuvw"[i] + " of rigid body '" +
                          c.body + "' is prescribed twice");
-      body->motion[i] = c.value.number;
-      follow(c.value, body->has_motion, body->motion_curve, c.line, c.name);
+    }
+  }
+
+  /// Held in all steps, or in none.
+  void free_components(std::size_t body) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const std::vector<const RigidCondition*>& list = held_[body][i];
+      std::vector<char> held(model_.steps.size(), 0);
+      for (const RigidCondition* c : list)
+        if (c->step < 0)
+          std::fill(held.begin(), held.end(), 1);
+        else
+          held[static_cast<std::size_t>(c->step)] = 1;
+      const bool always = std::count(held.begin(), held.end(), 0) == 0;
+      result_.bodies[body].free[i] = !always;
+      if (!always && !list.empty())
+        report_.add({list[0]->line, "Rigid '" + list[0]->name + "'", Fate::refused,
+                     std::string("component ") + "xyzuvw"[i] + " of rigid body '" + list[0]->body +
+                         "' is held in some steps and free in others: abut holds it always or "
+                         "never"});
     }
   }
 
@@ -126,21 +163,19 @@ private:
       return without_nodes(l.line, l.name);
     if (l.value.is_zero())
       return;
-    if (!body->free[static_cast<std::size_t>(l.component)])
+    const std::size_t i = static_cast<std::size_t>(l.component);
+    if (!body->free[i])
       throw InputError(model_.where(l.line) + ": rigid body '" + l.body +
                        "' is held in the component that is loaded");
-    body->load[static_cast<std::size_t>(l.component)] += l.value.number;
-    follow(l.value, body->has_load, body->load_curve, l.line, l.name);
+    if (!add(body->load[i], l.value, l.step))
+      report_.add({l.line, "Rigid '" + l.name + "'", Fate::refused,
+                   "another load acts on this component: give their sum"});
   }
 
-  /// One curve serves all components of a body.
-  void follow(const Value& value, bool& has, Value& curve, int line, const std::string& name) {
-    if (has && curve.curve != value.curve)
-      report_.add({line, "Rigid '" + name + "'", Fate::refused,
-                   "components of one rigid body follow different load curves: abut has one curve "
-                   "for the motion of a body and one for its loads"});
-    has = true;
-    curve.curve = value.curve;
+  bool acts_on(const Load& load, const RigidBody& body) const {
+    return std::any_of(body.domains.begin(), body.domains.end(), [&](std::size_t d) {
+      return load.place.empty() || load.place == model_.mesh.domains[d].name;
+    });
   }
 
   void check_body_loads() {
@@ -148,7 +183,7 @@ private:
       for (std::size_t i = 0; i < 3; ++i)
         for (const RigidBody& body : result_.bodies)
           if (l.kind == Load::Kind::body_force && body.free[i] && !l.vector[i].is_zero() &&
-              !body.domains.empty())
+              acts_on(l, body))
             report_.add({l.line, "Loads/body_load '" + l.name + "'", Fate::refused,
                          "rigid body '" + body.materials[0] +
                              "' is free to fall: give its weight as a rigid_force"});
@@ -181,6 +216,8 @@ private:
   std::vector<std::size_t> group_; ///< first material of the merged ones
   std::vector<int> body_of_group_; ///< -1: no nodes
   std::map<Global, std::size_t> owner_;
+  using Holders = std::array<std::vector<const RigidCondition*>, 6>;
+  std::vector<Holders> held_; ///< (bodies)
   RigidBodies result_;
 };
 

@@ -143,6 +143,8 @@ MeshData hertz_block(const HertzBlockOptions& o) {
   if (o.facets < 1 || !(o.core > 0.0) || o.core > o.size)
     throw InputError("hertz_block needs facets >= 1 and 0 < core <= size");
   const double depth = o.depth < 0.0 ? 0.125 * o.core : o.depth;
+  if (!(depth <= o.size))
+    throw InputError("depth must be at most the size");
   const double limit = o.max_size > 0.0 ? o.max_size : 0.2 * o.size;
   const double h = o.core / o.facets;
   const std::vector<double> x = graded_axis(o.size, {o.core, h, o.growth, limit});

@@ -30,6 +30,7 @@ std::array<double, 2> in_square(double u, double v, double half) {
 /// Square of half width `half`, n shells that turn it into a circle of radius radii[0], and circles
 /// of the further radii. (2n+1) nodes on each shell, by growing angle.
 PlaneMesh quarter_disc(int n, double half, const std::vector<double>& radii) {
+  require_cells(double(n) * (3.0 * n + 2.0 * double(radii.size())));
   PlaneMesh mesh;
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i)
@@ -67,6 +68,7 @@ PlaneMesh quarter_disc(int n, double half, const std::vector<double>& radii) {
 }
 
 MeshData extrude(const PlaneMesh& plane, const std::vector<double>& z, const std::string& name) {
+  require_cells(double(plane.cells.size()) * double(z.size()));
   MeshData mesh;
   for (double c : z)
     for (const auto& p : plane.x)

@@ -59,6 +59,8 @@ Grid make_grid(const RoundOptions& o) {
   if (o.facets < 1 || !(o.core > 0.0) || o.core > 0.5 * o.radius)
     throw InputError("a round body needs facets >= 1 and 0 < core <= radius / 2");
   const double depth = o.depth < 0.0 ? 0.125 * o.core : o.depth;
+  if (!(depth <= o.radius))
+    throw InputError("depth must be at most the radius");
   const double limit = o.max_size > 0.0 ? o.max_size : 0.2 * o.radius;
   const double h = o.core / o.facets;
   Grid g;
@@ -132,6 +134,7 @@ const int hex_offset[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
 
 /// Adds a cell of each point of a (na x nb x nc) grid.
 template <class F> void add_cells(Builder& builder, int na, int nb, int nc, const F& place_of) {
+  require_cells(double(na) * double(nb) * double(nc), 2e6);
   for (int c = 0; c < nc; ++c)
     for (int b = 0; b < nb; ++b)
       for (int a = 0; a < na; ++a) {

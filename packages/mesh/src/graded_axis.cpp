@@ -2,6 +2,7 @@
 #include "abut/mesh/graded_axis.hpp"
 
 #include "abut/core/error.hpp"
+#include "structured.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,10 @@
 namespace abut::mesh {
 
 namespace {
+
+constexpr int most_cells = 10000;
+constexpr const char* too_many = "a graded mesh would have more than 10000 cells in one direction: "
+                                 "let it be coarser or grow faster";
 
 /// Sizes of `count` cells after the core.
 std::vector<double> tail(double ratio, int count, double size, double limit) {
@@ -34,6 +39,8 @@ std::vector<double> graded_axis(double length, const Grading& g) {
   if (!(g.growth >= 1.0))
     throw InputError("growth must be at least 1");
   const double core = std::min(g.core, length);
+  if (!(core / g.size < most_cells))
+    throw InputError(too_many);
   const int core_cells = core > 0.0 ? std::max(1, int(std::lround(core / g.size))) : 0;
   const double h = core_cells > 0 ? core / core_cells : g.size;
   const double limit =
@@ -44,7 +51,8 @@ std::vector<double> graded_axis(double length, const Grading& g) {
   if (rest > 1e-12 * length) {
     int count = 1;
     while (total(tail(g.growth, count, h, limit)) < rest * (1.0 - 1e-12))
-      ++count;
+      if (++count > most_cells)
+        throw InputError(too_many);
     double low = 1.0, high = g.growth;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
@@ -67,6 +75,7 @@ std::vector<double> graded_axis(double length, const Grading& g) {
 std::vector<double> uniform_axis(double first, double last, int cells) {
   if (cells < 1)
     throw InputError("a mesh needs at least one division in each direction");
+  require_cells(cells);
   if (!(last > first))
     throw InputError("a mesh needs a positive size in each direction");
   std::vector<double> x(static_cast<std::size_t>(cells) + 1);

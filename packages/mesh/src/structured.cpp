@@ -5,12 +5,24 @@
 
 #include <algorithm>
 #include <random>
+#include <sstream>
 
 namespace abut::mesh {
+
+void require_cells(double cells, double most) {
+  if (cells <= most)
+    return;
+  std::ostringstream text;
+  text << "the mesh would have " << cells << " cells in a block, and generators make at most "
+       << most << ": make it coarser, or give a mesh file";
+  throw InputError(text.str());
+}
 
 MeshData structured_block(const std::vector<double>& x, const std::vector<double>& y,
                           const std::vector<double>& z, const std::string& name,
                           const SideNames& sides) {
+  require_cells(static_cast<double>(x.size()) * static_cast<double>(y.size()) *
+                static_cast<double>(z.size()));
   MeshData mesh;
   for (double c : z)
     for (double b : y)

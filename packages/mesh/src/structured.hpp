@@ -13,6 +13,9 @@ struct SideNames {
   std::string x0 = "x0", x1 = "x1", y0 = "y0", y1 = "y1", z0 = "z0", z1 = "z1";
 };
 
+/// Throws InputError when a generated block would have more than `most` cells.
+void require_cells(double cells, double most = 2e7);
+
 /// Block of hex8 cells over the products of three axes; x runs fastest. Sides without name have no
 /// side set.
 MeshData structured_block(const std::vector<double>& x, const std::vector<double>& y,

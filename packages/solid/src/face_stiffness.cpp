@@ -34,7 +34,9 @@ FaceMeasure measure(const mesh::Mesh& mesh, const mesh::Side& s) {
     }
   });
   const double length = norm(m.normal);
-  ABUT_REQUIRE(length > 0.0, "a face without area");
+  if (!(length > 0.0))
+    throw InputError("element " + std::to_string(block.element_id[std::size_t(s.element)]) +
+                     " has a face without area");
   m.normal *= 1.0 / length;
   return m;
 }

@@ -15,7 +15,9 @@ void solve(double c[6][6], double b[6]) {
       double s = c[i][j];
       for (int k = 0; k < j; ++k)
         s -= c[i][k] * c[j][k];
-      ABUT_REQUIRE(i != j || s > 0.0, "the material's tangent is not positive definite");
+      if (i == j && !(s > 0.0)) // in exact arithmetic it is
+        throw InputError(
+            "a material's bulk and shear modulus lie too far apart for the arithmetic");
       c[i][j] = i == j ? std::sqrt(s) : s / c[j][j];
     }
   for (int i = 0; i < voigt_size; ++i) {

@@ -60,7 +60,11 @@ TEST(Yaml, ErrorsNameFileAndLine) {
   EXPECT_THAT(error_of("just words", "d.yaml"), HasSubstr("got 'just words'"));
   EXPECT_EQ(error_of("", "d.yaml"), "d.yaml:1: the deck is empty");
   EXPECT_EQ(error_of("# only this\n", "d.yaml"), "d.yaml:1: the deck is empty");
-  EXPECT_THAT(error_of("a: 1\n---\nb: 2\n", "d.yaml"), HasSubstr("several YAML documents"));
+  EXPECT_THAT(error_of("a: 1\n---\nb: 2\n", "d.yaml"),
+              HasSubstr("d.yaml:2: a second YAML document begins here"));
+  // yaml-cpp itself would read documents for ever.
+  EXPECT_THAT(error_of("{a: 1},\nb: {c: 2}}\n", "d.yaml"),
+              HasSubstr("a bracket too many before it"));
   EXPECT_THAT(error_of("a: 1\n[1]: 2\n", "d.yaml"), StartsWith("d.yaml:2: a key must be a word"));
   EXPECT_THAT(error_of("a: *nowhere\n", "d.yaml"), StartsWith("d.yaml:1: not valid YAML"));
 }

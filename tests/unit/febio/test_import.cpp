@@ -274,6 +274,29 @@ TEST(Import, ContactParameters) {
             sides + "    formulation: sliding_elastic\n    penalty: 1\n");
 }
 
+TEST(Import, TiedContact) {
+  const std::string sides =
+      "contact:\n  touch:\n    primary: \"low face\"\n    secondary: up_face\n";
+  EXPECT_EQ(contact_with("tied-node-on-facet",
+                         "<laugon>AUGLAG</laugon><penalty>7</penalty><maxaug>20</maxaug>"
+                         "<max_distance>0.2</max_distance><node_reloc>1</node_reloc>"),
+            sides + "    formulation: node_on_facet\n    tied: true\n    tie_distance: 0.2\n"
+                    "    enforcement: augmented_lagrangian\n    penalty: 7\n"
+                    "    multipliers: per_point\n    projection_margin: 1e-04\n");
+  EXPECT_EQ(contact_with("tied-elastic", "<two_pass>1</two_pass><gaptol>-1</gaptol>"),
+            sides + "    formulation: sliding_elastic\n    tied: true\n    tie_distance: 1\n"
+                    "    two_pass: true\n    penalty: 2  # twice FEBio's: its two passes add up\n");
+}
+
+TEST(Import, BodyLoadOfOnePart) {
+  const Scene scene =
+      scene_with({{37, "<Loads><body_load name=\"w\" type=\"const\" elem_set=\"upper\"><x>3</x>"
+                       "</body_load></Loads>"}});
+  EXPECT_EQ(section(scene.deck, "loads"),
+            "loads:\n"
+            "  w_of_upper: {body_force: [-3, 0, 0], block: upper, curve: constant}  # FEBio: w\n");
+}
+
 TEST(Import, FacesThatPointInwardsAreRefusedUnlessFlipped) {
   const std::map<std::size_t, std::string> inward = {
       {24, "<Surface name=\"low face\"><quad4 id=\"1\">8,7,6,5</quad4></Surface>"}};

@@ -57,4 +57,16 @@ TEST(Generate, NamesWhatIsWrong) {
   EXPECT_THAT(message_of("rings", {{"inner_radius", "2"}}), HasSubstr("positive size"));
 }
 
+// Not a shortage of memory, or hours.
+TEST(Generate, RefusesMeshesThatAreFarTooLarge) {
+  for (const char* divisions : {"2147483647", "1000,1000,1000"})
+    EXPECT_THAT(message_of("box", {{"divisions", divisions}}), HasSubstr("make it coarser"));
+  EXPECT_THAT(message_of("paraboloid", {{"size", "1e300"}, {"growth", "1"}}),
+              HasSubstr("more than 10000 cells in one direction"));
+  EXPECT_THAT(message_of("quarter_cylinder", {{"facets", "5000"}}), HasSubstr("make it coarser"));
+  EXPECT_THAT(
+      message_of("punch", {{"shape", "disc"}, {"facets", "18000"}, {"punch_divisions", "2"}}),
+      HasSubstr("make it coarser"));
+}
+
 } // namespace

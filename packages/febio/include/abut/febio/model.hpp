@@ -90,6 +90,7 @@ struct Mesh {
 struct Displacement {
   std::string name, place; ///< place: a node set, "@surface:NAME", ...
   int line = 0;
+  int step = -1; ///< in which alone it holds; -1: in all
   std::array<bool, 3> components{};
   Value value;
 };
@@ -98,12 +99,14 @@ struct Displacement {
 struct RigidTie {
   std::string name, place, body; ///< body: a material's name
   int line = 0;
+  int step = -1; ///< as above
 };
 
 /// Components in the order x, y, z, rotations about them.
 struct RigidCondition {
   std::string name, body;
   int line = 0;
+  int step = -1;
   std::array<bool, 6> components{};
   Value value;        ///< zero for fixed ones
   bool fixed = false; ///< a prescribed one wins over it
@@ -112,6 +115,7 @@ struct RigidCondition {
 struct RigidLoad {
   std::string name, body;
   int line = 0;
+  int step = -1;
   int component = 0; ///< as above: force, then moment
   Value value;
 };
@@ -119,18 +123,21 @@ struct RigidLoad {
 struct Load {
   enum class Kind { pressure, traction, nodal, body_force };
   Kind kind = Kind::pressure;
-  std::string name, place; ///< surface, node set; nothing for a body force
+  std::string name, place; ///< surface, node set; a body force's domain, or nothing for all
   int line = 0;
+  int step = -1;
   std::array<Value, 3> vector{}; ///< pressure in the first
 };
 
 struct Contact {
   std::string name, type, pair;
   int line = 0;
+  int step = -1;
   std::map<std::string, Value> values; ///< penalty, tolerance, ... with FEBio's defaults put in
 
   double number(const char* key) const { return values.at(key).number; }
   bool flag(const char* key) const { return number(key) != 0.0; }
+  bool is_tied() const { return type.compare(0, 5, "tied-") == 0; }
 };
 
 enum class Interpolation { linear, step, smooth };
@@ -152,15 +159,16 @@ struct LoadCurve {
 /// beyond. Jumps take 1e-9 of the time, parabolas sixteen pieces.
 std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double end);
 
-struct Control {
+/// A part of the time, from the <Control> that stands outside of steps or from one step.
+struct Step {
   int line = 0;
-  int steps = 10;
-  double step_size = 0.1;
-  bool adaptive = false; ///< has a time stepper
-  double smallest_step = 0.0;
+  int count = 10;
+  double size = 0.1;         ///< [time]
   int must_points_curve = 0; ///< id; its points must be hit
-  bool given = false;
 };
+
+/// What a number does in each step; one value when it is the same in all.
+using Course = std::vector<Value>;
 
 struct Model {
   std::string file;
@@ -173,8 +181,13 @@ struct Model {
   std::vector<Load> loads;
   std::vector<Contact> contacts;
   std::map<int, LoadCurve> curves; ///< by id
-  Control control;
+  std::vector<Step> steps;         ///< one after the other
 
+  /// Time at which a step begins; that after the last one is the end.
+  double start(std::size_t step) const;
+  double end() const { return start(steps.size()); }
+  /// The course of a value that holds in this step alone and else is zero; -1: in all.
+  Course course(const Value& value, int step) const;
   /// "FILE:LINE" to begin a message.
   std::string where(int line) const { return file + ":" + std::to_string(line); }
   const Material* material(const std::string& name) const;

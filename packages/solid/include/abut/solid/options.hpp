@@ -90,6 +90,7 @@ struct RigidMotion {
   std::array<double, 3> rotation{};     ///< rotation vector [rad]
   std::array<double, 3> center{};       ///< of rotation, reference configuration [length]
   std::string curve;                    ///< empty: the load parameter itself
+  std::array<std::string, 6> curves{};  ///< of single components; empty: curve
   std::array<bool, 6> free{};           ///< components that are unknowns: x, y, z, rx, ry, rz
   std::array<double, 3> force{};        ///< on the center [force]
   std::array<double, 3> moment{};       ///< about the center [force length]
