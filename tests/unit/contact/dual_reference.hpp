@@ -366,14 +366,10 @@ inline void DualReference::augment(const std::vector<double>& u) {
 }
 
 inline void DualReference::accept(const std::vector<double>& u) {
-  std::vector<double> pressures;
-  for (const Node& n : nodes_)
-    pressures.push_back(n.multiplier);
-  augment(u);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    nodes_[i].multiplier = pressures[i];
-    nodes_[i].previous_gap = nodes_[i].gap;
-    nodes_[i].in_contact = nodes_[i].active;
+  augment(u); // of augmented Lagrangian
+  for (Node& n : nodes_) {
+    n.previous_gap = n.gap;
+    n.in_contact = n.active;
   }
   previous_ = u;
 }
