@@ -62,7 +62,7 @@ def cubes(control=CONTROL, boundary=SIDEWAYS + FLOOR + PRESS, more=TOUCH, upper=
 
 def root(function):
     """The zero of a growing or falling function between 0 and 10."""
-    low, high = 0.0, 10.0
+    low, high = 1e-9, 10.0
     sign = numpy.sign(function(high))
     for _ in range(100):
         middle = 0.5 * (low + high)
@@ -139,6 +139,19 @@ class Cubes(unittest.TestCase):
                 numpy.testing.assert_allclose(uz[LOWER_TOP], stretch(LOWER, p) - 1, rtol=0, atol=1e-10)
                 numpy.testing.assert_allclose(uz[UPPER_BOTTOM], 1 + up - stretch(UPPER, p), rtol=0,
                                               atol=1e-10)
+
+    def test_wall_comes_down(self):
+        """A plane z = 1 - DOWN t whose normal points down; P = PENALTY (height - place)."""
+        penalty = 200.0
+        wall = f'''<Constraints><constraint type="rigid_wall" surface="below">
+          <penalty>{penalty}</penalty><offset lc="1">{DOWN}</offset><plane>0,0,-1,-1</plane>
+          </constraint></Constraints>'''
+        hung = '''<bc name="hung" node_set="top" type="zero displacement"><z_dof>1</z_dof></bc>'''
+        fields = self.run_cubes(cubes(boundary=SIDEWAYS + FLOOR + hung, more=wall)).fields
+        height = root(lambda s: LOWER / 2 * (1 / s - s) - penalty * (s - 1 + DOWN))
+        self.assertLess(height, 1 - 0.9 * DOWN)
+        numpy.testing.assert_allclose(fields.nodal("displacement_z")[LOWER_TOP], height - 1, rtol=0,
+                                      atol=1e-10)
 
     def test_rigid_body_goes_down_then_sideways(self):
         def step(dof, value, *held):

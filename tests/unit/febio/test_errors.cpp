@@ -127,13 +127,12 @@ INSTANTIATE_TEST_SUITE_P(
                "shell_bottom_primary, shell_bottom_secondary, smooth_aug"},
         Broken{41, "<penalty>7</penalty>", "m.feb:41: Contact/contact/penalty: given twice"},
         Broken{35,
-               "</Boundary><Constraints><constraint type=\"rigid_wall\"/></Constraints>"
+               "</Boundary><Constraints><constraint type=\"volume\"/></Constraints>"
                "<Initial/><Physics/>",
-               "m.feb:35: Constraints: abut has none; make a rigid wall a rigid body of one hex8 "
-               "and a contact\n"
+               "m.feb:35: Constraints/constraint: type 'volume': abut has rigid_wall\n"
                "m.feb:35: Physics: not supported here; valid: Module, Globals, Material, Mesh, "
-               "MeshDomains, LoadData, Constraints, Initial, Discrete, MeshData, MeshAdaptor, "
-               "Boundary, Rigid, Loads, Contact, Control, Step, Output"}));
+               "MeshDomains, LoadData, Initial, Discrete, MeshData, MeshAdaptor, "
+               "Boundary, Rigid, Loads, Contact, Constraints, Control, Step, Output"}));
 
 TEST(BrokenFiles, EndWithAnErrorWhereverTheyAreCut) {
   const std::string whole = with({});
