@@ -10,9 +10,14 @@
 namespace abut::app {
 
 /// The augmentation of all interfaces with enforcement augmented_lagrangian; an empty callback when
-/// there is none. `observer` sees every report.
+/// there is none. `observer` sees every report; `warn` is told, once for each interface and step,
+/// what holds its augmentations up.
 solver::AugmentCallback
 make_augmentation(Model& model,
-                  std::function<void(int, const solver::AugmentReport&)> observer = {});
+                  std::function<void(int, const solver::AugmentReport&)> observer = {},
+                  std::function<void(const std::string&)> warn = {});
+
+/// Whether any interface may ask for another solve within a step.
+bool augments_in_steps(const Model& model);
 
 } // namespace abut::app

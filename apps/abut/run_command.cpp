@@ -106,9 +106,11 @@ int run(const RunOptions& options) {
   solver::NewtonOptions newton_options = m.deck.newton;
   for (const auto& c : m.contacts)
     newton_options.inexact = newton_options.inexact && c->options().friction == 0.0;
+  newton_options.inexact = newton_options.inexact && augments_in_steps(m);
   solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
-  auto augment =
-      make_augmentation(m, [&](int n, const auto& report) { progress.augmentation(n, report); });
+  auto augment = make_augmentation(
+      m, [&](int n, const auto& report) { progress.augmentation(n, report); },
+      [&](const std::string& text) { progress.line("  warning: " + text); });
   if (m.deck.check == deck::ModelCheck::tangent)
     augment = with_tangent_check(m, std::move(augment),
                                  [&](const std::string& text) { progress.line(text); });

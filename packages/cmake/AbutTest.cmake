@@ -26,11 +26,14 @@ function(abut_test name)
   endforeach()
 endfunction()
 
-# Environment, label, time limit and processor count of one test.
+# Environment, label, time limit and processor count of one test. Each has a session folder of MPI's of its
+# own: programs that end take the common one away from others that start.
 function(abut_test_properties test ranks label)
+  set(session ${PROJECT_BINARY_DIR}/mpi/${test})
+  file(MAKE_DIRECTORY ${session})
   set_tests_properties(${test} PROPERTIES
     LABELS "${label}" PROCESSORS ${ranks} TIMEOUT 600
-    ENVIRONMENT "OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_base_warn_component_unused=0")
+    ENVIRONMENT "OMP_NUM_THREADS=1;OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_base_warn_component_unused=0;OMPI_MCA_orte_tmpdir_base=${session}")
 endfunction()
 
 # abut_scene_test(NAME FILE file.py LABEL label [RANKS 1 2] [PROCESSORS n] [SECONDS n] [ARGUMENTS a ...])

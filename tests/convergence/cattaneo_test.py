@@ -210,6 +210,8 @@ class Hold(unittest.TestCase):
     def check_hold(self, case, path):
         scene = deck(case, WAYS[1:2], self.STEPS)
         scene["newton"]["tolerance"] = 1e-11
+        if case[2] == "dual":  # its tractions are carried over: each step is one more augmentation
+            scene["contact"]["pair"]["multiplier_tolerance"] = 1e-7
         result = scenes.run(scene, seconds=300, files=[path])
         fields, last = result.fields, 2 + self.STEPS
         shear = [fields.globals(step)["pair_force_x"] for step in range(2, last + 1)]

@@ -32,7 +32,8 @@ def scene(theta, element, interference, primary="outer_inner", **contact):
         "bodies": {name: {"blocks": [name], "material": "elastic"} for name in ("inner", "outer")},
         "displacements": {name: {"set": name, "fix": [name[0]]} for name in ("x0", "y0", "z0", "z1")},
         "contact": {"pair": {"primary": primary, "secondary": secondary,
-                             "enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-6,
+                             "enforcement": "augmented_lagrangian", "multipliers": "per_point",
+                             "multiplier_tolerance": 1e-6,
                              "max_augmentations": 50, **contact}},
     }
 

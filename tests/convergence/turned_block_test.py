@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""No step of the turned block fails up to f = 100; and all switchings end in the same place.
+"""No step of the turned block fails up to f = 1000; and all switchings end in the same place.
 usage: turned_block_test.py [unittest arguments] [--formulation WORD] [--spaces WORDS, of multipliers]
 """
 import unittest
@@ -12,7 +12,7 @@ import turned_block
 
 KNOWN = study.arguments([])
 FORMULATION = KNOWN.formulation or "facet_on_facet"
-FACTORS = (1, 10) if FORMULATION == "node_on_facet" else (1, 10, 100)  # beyond, a step may be cut
+FACTORS = (1, 10, 100, 1000)
 AUGMENTED = {"enforcement": "augmented_lagrangian"}
 SPACES = KNOWN.spaces or ["automatic"]
 
@@ -39,8 +39,8 @@ class TurnedBlock(unittest.TestCase):
                     self.check(penalty_factor=factor, multipliers=space, **AUGMENTED)
 
     def test_switching_does_not_move_the_answer(self):
-        # stiff enough for the ways there to differ; each of the 12 steps is solved to 1e-8 of the forces
-        factor = 10 if FORMULATION == "node_on_facet" else 50
+        # stiff enough for the ways there to differ, soft enough for the return map to get there; each of the 12 steps is solved to 1e-8 of the forces
+        factor = 5 if FORMULATION == "node_on_facet" else 50
         runs = [self.check(penalty_factor=factor, friction_switching=word)
                 for word in scenes.words_of("friction_switching")]
         self.assertEqual(len(runs), 2)

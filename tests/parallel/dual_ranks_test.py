@@ -73,6 +73,23 @@ class SameOnAllRanks(unittest.TestCase):
                                      {"contact": {"pair": {"formulation": formulation}}})
                 self.compare(deck, "contact", cut=False)
 
+    def test_accelerated(self):
+        for space in ("smoothed", "dual"):
+            with self.subTest(space=space):
+                changes = {"multipliers": space, "enforcement": "augmented_lagrangian", "augmentation": "anderson",
+                           "penalty_factor": 1, "gap_tolerance": 1e-4, "max_augmentations": 50}
+                one = self.compare(scenes.merged(SLAB, {"contact": {"pair": changes}, "newton": {"inexact": False}}),
+                                   "upper_bottom")
+                self.assertGreater(one.summary["augmentations"], 3)
+
+    def test_end_of_step(self):
+        for space in ("smoothed", "dual"):
+            with self.subTest(space=space):
+                changes = {"multipliers": space, "enforcement": "augmented_lagrangian", "max_augmentations": 0}
+                one = self.compare(scenes.merged(SLAB, {"contact": {"pair": changes}, "time": {"steps": 3}}),
+                                   "upper_bottom")
+                self.assertEqual(one.summary["augmentations"], 0)
+
     def test_friction(self):
         # Solves that stop early would leave what their tolerance allows, along a path that rounding chooses.
         for formulation in ("facet_on_facet", "sliding_elastic"):

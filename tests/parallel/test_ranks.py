@@ -57,7 +57,7 @@ SLIDING = {
     "output": {"files": "per_rank"},
 }
 
-AUGMENTED = {"contact": {"pair": {"enforcement": "augmented_lagrangian"}}}
+AUGMENTED = {"contact": {"pair": {"enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-4}}}
 
 
 class Ranks:

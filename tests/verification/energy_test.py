@@ -86,6 +86,18 @@ class Sliding(Ledger):
                     self.check(f"multipliers {formulation} friction {friction}", friction,
                                formulation=formulation, material=material, **AUGMENTED)
 
+    def test_multipliers_at_the_end_of_steps(self):
+        """Multipliers take over what springs hold, and the ledger loses it: of first order in the step."""
+        for space in ("per_point", "smoothed", "dual"):
+            for friction in (0, 0.3):
+                with self.subTest(space=space, friction=friction):
+                    deck = block(friction=friction, enforcement="augmented_lagrangian", multipliers=space,
+                                 penalty_factor=10, max_augmentations=0)
+                    result, _, relative, order = self.run_steps(deck, f"end of step {space} friction {friction}")
+                    self.assertEqual(result.summary["augmentations"], 0)
+                    self.assertGreater(order, 0.9)
+                    self.assertLess(abs(relative[-1]), 0.01)
+
     def test_pressed_while_led(self):
         deck = scenes.merged(block(friction=0.3), {"curves": {"press": [[0, 0], [0.5, 0.5], [1, 1]]}})
         _, energy, relative, order = self.run_steps(deck, "pressed while led")

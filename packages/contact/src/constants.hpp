@@ -17,8 +17,8 @@ constexpr double lock_share = 0.05; ///< least cosine between an inclined ray an
 constexpr double frozen_margin = 0.5; ///< how far beside its face a partner may go that stays
 constexpr int early_searches = 6;     ///< of a solve, in which its contact may be far from balance
 constexpr double moderate_depth = 0.05; ///< penetration in face sizes, see moderate()
-constexpr double soft_switching = 0.6; ///< of E/h: stiffness that decides between stick and slip...
-constexpr int patience = 2; ///< ...of a point that has changed between them so often in a solve
+constexpr double soft_switching = 0.6;  ///< of E/h: stiffness that decides between stick and slip
+constexpr double sliver = 0.2; ///< a corner node with less of its function covered hands it on
 constexpr double own_body_depth = 0.5; ///< of the elements: deeper is the other side of a thin body
 
 } // namespace abut::contact

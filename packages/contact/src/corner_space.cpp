@@ -58,6 +58,18 @@ void CornerSpace::values(Local face, const double xi[2], double* N) const {
                      [&](auto shape) { decltype(shape)::values(xi, N); });
 }
 
+void CornerSpace::hand_on(Local face, const std::vector<char>& merged, double* N) const {
+  double given = 0.0;
+  int keep = 0;
+  for (int a = 0; a < corners(face); ++a)
+    if (merged[nodes(face)[a]])
+      given += N[a];
+    else
+      ++keep;
+  for (int a = 0; keep > 0 && a < corners(face); ++a)
+    N[a] = merged[nodes(face)[a]] ? 0.0 : N[a] + given / keep;
+}
+
 double CornerSpace::interpolate(Local face, const double* N, const std::vector<double>& data,
                                 int component, int components) const {
   double value = 0.0;

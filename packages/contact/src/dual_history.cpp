@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the nodes of the dual law remember: augmentations and the end of a step.
+#include "constants.hpp"
 #include "dual_law.hpp"
 
 #include <algorithm>
@@ -16,22 +17,25 @@ Vec3 present_carried(const DualNode& n) {
 
 } // namespace
 
-Augmentation DualLaw::augmentation() const {
+Augmentation DualLaw::augmentation(PlateauWatch& watch, bool both_ways) const {
   double sums[2] = {0.0, 0.0};
   Augmentation result;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const DualNode& n = nodes_[i];
-    if (n.area == 0.0 || space_.owner(static_cast<Local>(i)) != comm_.rank())
+    if (!counts(static_cast<Local>(i)))
       continue;
     const double normal = n.pressure - n.history.multiplier;
     const Vec3 shear = n.traction - present_carried(n);
     sums[0] += n.area * (normal * normal + dot(shear, shear));
     sums[1] += n.area * (n.pressure * n.pressure + dot(n.traction, n.traction));
-    double violation = -n.gap;
+    double violation = both_ways && n.pressed() ? std::fabs(n.gap) : -n.gap;
     if (n.rule == PointRule::incremental_stick && !n.touching && n.penalty > 0.0)
       violation = std::max(violation, norm(shear) / n.penalty);
     result.gap = std::max(result.gap, violation / n.size);
     result.length = std::max(result.length, violation);
+    const double away = std::max(std::fabs(n.area - n.full), std::fabs(n.covered - n.full));
+    watch.violated({violation / n.size, n.area, !prescribed_.empty() && prescribed_[i] != 0,
+                    away > round_off * n.full});
   }
   comm_.sum(sums, 2);
   result.gap = comm_.max(result.gap);
@@ -40,11 +44,14 @@ Augmentation DualLaw::augmentation() const {
   return result;
 }
 
-void DualLaw::augment(const MultiplierUpdate& update) {
-  for (DualNode& n : nodes_) {
+void DualLaw::augment(const MultiplierUpdate& update, const std::vector<double>& pressures) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    DualNode& n = nodes_[i];
+    const double before = n.history.multiplier;
+    n.history.multiplier = pressures[i];
     if (update) {
       PointState view;
-      view.history.multiplier = view.multiplier = n.history.multiplier;
+      view.history.multiplier = view.multiplier = before;
       view.history.in_contact = view.converged.in_contact = n.converged.in_contact;
       view.rule = n.rule;
       view.touching = n.touching;
@@ -53,10 +60,8 @@ void DualLaw::augment(const MultiplierUpdate& update) {
       view.pressure = n.pressure;
       view.normal = n.normal;
       view.traction = n.pressure * n.normal + n.traction;
-      update(view, n.pressure, n.traction);
+      update(view, n.history.multiplier, n.traction);
     }
-    n.history.multiplier = n.pressure;
-    n.swaps = 0;
   }
 }
 
@@ -79,7 +84,6 @@ void DualLaw::accept() {
     n.history.shear = n.traction;
     n.history.sliding = n.rule == PointRule::incremental_slip ? norm(n.traction) : 0.0;
     n.converged = n.history;
-    n.swaps = 0;
   }
   carried_converged_ = carried_;
 }
@@ -87,9 +91,7 @@ void DualLaw::accept() {
 void DualLaw::reject() {
   for (DualNode& n : nodes_) {
     n.history = n.converged;
-    n.last_shear = n.converged.shear;
-    n.was_pressed = n.converged.in_contact;
-    n.swaps = 0;
+    n.last = {n.converged.in_contact, false, {}};
   }
   carried_ = carried_converged_;
 }

@@ -3,6 +3,7 @@
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
+#include "held_nodes.hpp"
 #include "node_cells.hpp"
 #include "point_search.hpp"
 
@@ -40,8 +41,9 @@ void Interaction::make_dual() {
 }
 
 void Interaction::set_prescribed(const std::vector<char>& directions) {
-  if (dual_)
-    dual_->set_prescribed(directions);
+  held_ = held_nodes(primary_, corners_, directions);
+  if (dual_ && options_.formulation != Formulation::node_on_facet) // there each node is a point
+    dual_->set_prescribed(held_);
 }
 
 /// The point as the kernels take it, with the pressure that the nodes give it.
@@ -230,15 +232,11 @@ Mat3 shear_column(const DualNode& n, double friction, const NodeRow& row) {
            row.gap);
   if (n.rule != PointRule::incremental_slip)
     return d;
-  const double size = norm(n.trial);
-  if (!(size > 0.0))
-    return Mat3::zero();
-  const Vec3 direction = (1.0 / size) * n.trial;
-  add_dyad(d, -direction, row_times(direction, d));
+  add_dyad(d, -n.line.direction, row_times(n.line.direction, d));
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      d[i][j] *= friction * n.pressure / size;
-  add_dyad(d, (-friction * n.penalty / n.area) * direction, row.gap);
+      d[i][j] *= n.line.turning;
+  add_dyad(d, (-friction * n.penalty / n.area) * n.line.direction, row.gap);
   return d;
 }
 
@@ -284,7 +282,7 @@ void Interaction::store_node_shear() {
 }
 
 void Interaction::augment_nodes() {
-  dual_->augment(update_);
+  dual_->augment(update_, next_pressures());
   store_node_shear();
 }
 
@@ -303,6 +301,15 @@ void Interaction::accept_nodes() {
       }
     }
   store_node_shear();
+  if (options_.carries_tractions()) {
+    std::vector<double> pressures;
+    for (Local n = 0; n < primary_.num_nodes(); ++n)
+      pressures.push_back(dual_->node(n).pressure);
+    const auto pressure_only = [&](const PointState& state, double& pressure, Vec3 shear) {
+      update_(state, pressure, shear);
+    };
+    dual_->augment(update_ ? MultiplierUpdate(pressure_only) : MultiplierUpdate(), pressures);
+  }
   dual_->accept();
 }
 
@@ -331,7 +338,7 @@ double Interaction::node_spring(Local face, int point) const {
     const DualNode& n = dual_->node(dual_->corner_nodes(face)[a]);
     if (!n.active() || !(n.penalty > 0.0))
       continue;
-    const double normal = n.pressure - n.history.multiplier;
+    const double normal = n.penalty * n.gap;
     const bool augmented = options_.enforcement == Enforcement::augmented_lagrangian;
     const double shear = augmented ? 0.0 : dot(n.traction, n.traction);
     sum += dual_->field(index)[a] * (normal * normal + shear) / n.penalty;

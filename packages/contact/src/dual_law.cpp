@@ -11,10 +11,6 @@ namespace abut::contact {
 
 namespace {
 
-constexpr double sliver = 0.2; ///< a node with less of its function covered hands it on
-
-constexpr double held_share = 0.99; ///< of the square of the normal, in prescribed directions
-
 /// Components of the nodal sums.
 enum Mean {
   area,
@@ -75,37 +71,6 @@ DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpa
   carried_converged_ = carried_;
 }
 
-void DualLaw::set_prescribed(const std::vector<char>& directions) {
-  constexpr std::size_t width = 6; // reference normal, prescribed components
-  std::vector<double> sums(nodes_.size() * width, 0.0);
-  for (Local f = 0; f < surface_.num_faces(); ++f) {
-    const Local* node = corner_nodes(f);
-    const auto edge = [&](int a, int b) {
-      return vector_at(&surface_.x[3 * std::size_t(node[b])]) -
-             vector_at(&surface_.x[3 * std::size_t(node[a])]);
-    };
-    const Vec3 normal =
-        corners(f) == 4 ? cross(edge(0, 2), edge(1, 3)) : cross(edge(0, 1), edge(0, 2));
-    for (int a = 0; a < corners(f); ++a)
-      for (int i = 0; i < 3; ++i)
-        sums[std::size_t(node[a]) * width + std::size_t(i)] += normal[i];
-  }
-  for (std::size_t n = 0; n < nodes_.size(); ++n)
-    for (std::size_t i = 0; i < 3; ++i)
-      sums[n * width + 3 + i] = (directions[n] >> i) & 1;
-  space_.sum(sums, width);
-  prescribed_.assign(nodes_.size(), 0);
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const double* s = &sums[n * width];
-    double held = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      all += s[i] * s[i];
-      held += s[3 + i] > 0.0 ? s[i] * s[i] : 0.0;
-    }
-    prescribed_[n] = held > held_share * all;
-  }
-}
-
 /// take[a][b]: share of the function of corner a that corner b has; the identity unless nodes are
 /// merged. The others of the face share alike, so that no numbering decides.
 void DualLaw::merge(Local face, double (&take)[max_corners][max_corners]) const {
@@ -129,9 +94,11 @@ void DualLaw::cover(const std::vector<DualPoint>& points) {
       for (int a = 0; points[q].covered && a < corners(f); ++a)
         covered[corner_nodes(f)[a]] += area_[q] * corner_[std::size_t(q) * max_corners + a];
   space_.sum(covered);
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i].covered = covered[i];
     nodes_[i].merged =
         covered[i] < sliver * nodes_[i].full || (!prescribed_.empty() && prescribed_[i] != 0);
+  }
   for (Local f = 0; f < surface_.num_faces(); ++f) {
     double take[max_corners][max_corners] = {};
     merge(f, take);
@@ -213,7 +180,8 @@ void DualLaw::decide(double friction, bool frozen) {
 void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
   const PointRule before = n.rule;
   n.rule = PointRule::open;
-  n.touching = n.beyond = false;
+  n.touching = false;
+  n.settled = true;
   n.pressure = 0.0;
   n.traction = Vec3::zero();
   if (n.area == 0.0 || (frozen && before == PointRule::open))
@@ -239,40 +207,27 @@ void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
   n.rule = PointRule::incremental_stick;
   if (n.touching)
     return;
-  const double size = norm(n.trial), limit = friction * n.pressure;
   const bool held =
       frozen && (before == PointRule::incremental_stick || before == PointRule::incremental_slip);
-  if (held ? before == PointRule::incremental_slip : !sticks(n, limit))
-    n.rule = PointRule::incremental_slip;
-  n.beyond = n.rule == PointRule::incremental_stick && size > limit;
-  n.traction =
-      n.rule == PointRule::incremental_slip && size > 0.0 ? (limit / size) * n.trial : n.trial;
+  const double share = n.soft > 0.0 ? std::min(1.0, n.soft / n.penalty) : 1.0;
+  const ShearChoice choice =
+      choose_shear(n.last, n.trial, n.normal, friction * n.pressure, share,
+                   held ? std::optional(before == PointRule::incremental_slip) : std::nullopt);
+  n.rule = choice.slips ? PointRule::incremental_slip : PointRule::incremental_stick;
+  n.line = choice.line;
+  n.traction = choice.traction;
+  n.settled = choice.settled;
 }
 
-/// The primal-dual criterion of Interaction::within_cone, at a node.
-bool DualLaw::sticks(const DualNode& n, double limit) const {
-  if (n.soft == 0.0 || !n.was_pressed || n.swaps < patience)
-    return norm(n.trial) <= limit;
-  const double share = std::min(1.0, n.soft / n.penalty);
-  return norm((1.0 - share) * n.last_shear + share * n.trial) <= limit;
-}
-
-void DualLaw::keep_iterate(double friction) {
+void DualLaw::keep_iterate() {
   for (DualNode& n : nodes_) {
-    if (n.was_pressed && n.pressed() &&
-        (n.rule != n.last_rule || dot(n.traction, n.last_shear) < 0.0))
-      ++n.swaps;
-    n.last_rule = n.rule;
-    n.was_pressed = n.pressed();
-    const double size = norm(n.traction), limit = friction * n.pressure;
-    if (n.was_pressed)
-      n.last_shear = size > limit ? (limit / size) * n.traction : n.traction;
+    n.last = {n.pressed(), n.rule == PointRule::incremental_slip, n.line};
   }
 }
 
 bool DualLaw::settled() const {
   return std::none_of(nodes_.begin(), nodes_.end(),
-                      [](const DualNode& n) { return n.pressed() && n.beyond; });
+                      [](const DualNode& n) { return n.pressed() && !n.settled; });
 }
 
 } // namespace abut::contact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/contact/corner_space.hpp"
+#include "abut/contact/friction_switch.hpp"
 #include "abut/contact/interaction.hpp"
 
 #include <array>
@@ -36,8 +37,9 @@ struct DualNode {
                      ///< [pressure/length]
   double size = 0.0; ///< of its faces [length]
 
-  bool merged = false; ///< its function is that of its neighbours now
-  double area = 0.0;   ///< A, weight of its function at covered points; 0: takes no part
+  bool merged = false;  ///< its function is that of its neighbours now
+  double covered = 0.0; ///< part of `full` that has a partner [length^2]
+  double area = 0.0;    ///< A, weight of its function at covered points; 0: takes no part
   double penalty = 0.0, gap = 0.0; ///< weighted means
   double normal_sum = 0.0;         ///< length of sum w psi c
   Vec3 normal = Vec3::zero(), slip = Vec3::zero(), carried = Vec3::zero();
@@ -48,11 +50,9 @@ struct DualNode {
   double pressure = 0.0;
   double out_of_plane = 0.0; ///< normal part of the trial traction before projection [pressure]
   Vec3 trial = Vec3::zero(), traction = Vec3::zero(); ///< tangential [pressure]
-  Vec3 last_shear = Vec3::zero();        ///< of the last Newton iterate, within the cone [pressure]
-  bool was_pressed = false;              ///< then
-  PointRule last_rule = PointRule::open; ///< then
-  int swaps = 0;                         ///< changes of status or of direction in this solve
-  bool beyond = false; ///< sticks though its trial lies beyond the cone: not settled
+  SlipLine line;                                      ///< in slip, the law made linear
+  bool settled = true;                                ///< the traction is the return map's
+  ShearIterate last;                                  ///< of the last Newton iterate
 
   bool active() const { return rule != PointRule::open; }
   bool pressed() const { return active() && !touching; }
@@ -81,9 +81,8 @@ public:
           std::vector<double> area, const std::vector<double>& size,
           const std::vector<double>& soft, bool friction);
 
-  /// directions: (surface nodes) bits 1, 2, 4 where the displacement along x, y, z is prescribed.
-  /// Nodes that cannot move along the normal hand their functions on. Collective.
-  void set_prescribed(const std::vector<char>& directions);
+  /// (surface nodes) those that cannot move along the normal hand their functions on.
+  void set_prescribed(std::vector<char> held) { prescribed_ = std::move(held); }
 
   /// Weighted means at the nodes. Collective.
   void gather(const std::vector<DualPoint>& points);
@@ -93,7 +92,7 @@ public:
   /// Pressures, status and tractions of the nodes from their means.
   void decide(double friction, bool frozen);
   /// The tractions that switching starts from in the next configuration.
-  void keep_iterate(double friction);
+  void keep_iterate();
   bool settled() const; ///< the status of every node is that of the return map
 
   Local first_point(Local face) const { return first_point_[face]; }
@@ -101,6 +100,10 @@ public:
   const Local* corner_nodes(Local face) const { return space_.nodes(face); }
   const DualNode& node(Local surface_node) const { return nodes_[surface_node]; }
   const CornerSpace& space() const { return space_; }
+  /// Whether the node takes part and this rank speaks for it.
+  bool counts(Local node) const {
+    return nodes_[node].area > 0.0 && space_.owner(node) == comm_.rank();
+  }
   /// Functions of the face's corners at a point (index over all points): psi, which averages and
   /// exerts, and N, which interpolates; both with the shares of merged nodes. (corners)
   const double* psi(Local point) const { return &psi_[std::size_t(point) * max_corners]; }
@@ -126,9 +129,11 @@ public:
     return carried_[std::size_t(point) * max_corners + std::size_t(a)];
   }
 
-  /// Largest gap and motion in stick, change of the multipliers in L2. Collective.
-  Augmentation augmentation() const;
-  void augment(const MultiplierUpdate& update);
+  /// Largest penetration and motion in stick, change of the multipliers in L2; tells `watch` where.
+  /// both_ways: a gap across which a node still presses counts too. Collective.
+  Augmentation augmentation(PlateauWatch& watch, bool both_ways) const;
+  /// pressures: (surface nodes) that become the multipliers, unless `update` changes them.
+  void augment(const MultiplierUpdate& update, const std::vector<double>& pressures);
   /// Length slipped by a node in the step, and friction work per area.
   double slipped(const DualNode& node) const;
   double dissipated(const DualNode& node) const;
@@ -138,7 +143,6 @@ public:
 private:
   void cover(const std::vector<DualPoint>& points);
   void decide(DualNode& node, double friction, bool frozen) const;
-  bool sticks(const DualNode& node, double limit) const;
   void merge(Local face, double (&take)[max_corners][max_corners]) const;
 
   Comm comm_;

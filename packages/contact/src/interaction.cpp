@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/interaction.hpp"
 
+#include "abut/contact/side_choice.hpp"
 #include "abut/core/error.hpp"
 #include "constants.hpp"
 #include "dual_law.hpp"
@@ -43,9 +44,19 @@ double largest_motion(const double* now, const double* then, std::size_t nodes) 
 double first_factor(const ContactOptions& options) {
   if (options.penalty_factor > 0.0)
     return options.penalty_factor;
-  if (options.enforcement == Enforcement::penalty || options.space() == Multipliers::per_point)
+  if (options.enforcement == Enforcement::penalty || options.multipliers == Multipliers::per_point)
     return 10.0;
-  return options.space() == Multipliers::smoothed ? 3.0 : 30.0;
+  return options.multipliers == Multipliers::smoothed ? 3.0 : 30.0;
+}
+
+/// Options with the space of the multipliers chosen.
+ContactOptions resolved(ContactOptions options, bool poor_side) {
+  if (options.multipliers == Multipliers::automatic) {
+    const bool dual = options.enforcement == Enforcement::augmented_lagrangian &&
+                      options.goes_dual() && !poor_side;
+    options.multipliers = dual ? Multipliers::dual : Multipliers::smoothed;
+  }
+  return options;
 }
 
 } // namespace
@@ -53,10 +64,12 @@ double first_factor(const ContactOptions& options) {
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
                          ContactOptions options, PhaseTimers& timers, double share)
     : comm_(comm), primary_(std::move(primary)), secondary_(std::move(secondary)),
-      options_(std::move(options)), timers_(timers), share_(share),
+      poor_side_(compare_sides(comm, primary_, secondary_).is_poor()),
+      options_(resolved(std::move(options), poor_side_)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
-      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)) {
+      corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
+      watch_(comm), anderson_(comm) {
   const std::string where = "contact." + options_.name + ": ";
   for (const mesh::Surface* s : {&primary_, &secondary_})
     if (comm_.sum(Global(s->num_faces())) == 0)
@@ -85,6 +98,13 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
   smallest_size_ = comm_.min(smallest_size_);
   make_points();
   make_dual();
+}
+
+void Interaction::set_normal_law(NormalLaw law) {
+  if (law && dual_)
+    throw InputError("contact." + options_.name +
+                     ": a normal law goes with 'multipliers: smoothed' or 'per_point'");
+  normal_law_ = std::move(law);
 }
 
 void Interaction::set_schedules(std::function<double(double)> penalty,
@@ -141,6 +161,15 @@ void Interaction::make_points() {
   }
   points_.resize(weight_.size());
   stretch_.assign(size_.size(), 1.0);
+  full_.assign(std::size_t(primary_.num_nodes()), 0.0);
+  double N[CornerSpace::max_corners];
+  for (Local f = 0; f < primary_.num_faces(); ++f)
+    for (int p = 0; p < face_points(f); ++p) {
+      corners_.values(f, table_[f]->rule.xi[std::size_t(p)].data(), N);
+      for (int a = 0; a < corners_.corners(f); ++a)
+        full_[std::size_t(corners_.nodes(f)[a])] += N[a] * area_[point_index(f, p)];
+    }
+  corners_.sum(full_);
 }
 
 PointShape Interaction::shape(Local face, int point) const {

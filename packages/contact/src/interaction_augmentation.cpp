@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Multipliers: what the next ones are, and whether another solve with them is worth it.
+#include "constants.hpp"
 #include "dual_law.hpp"
 #include "point_search.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abut::contact {
 
 namespace {
-constexpr double plateau_ratio = 0.98; ///< an augmentation that leaves more of the gap than this...
-constexpr std::size_t plateau_count = 3; ///< ...so many times in a row changes nothing any more
-
-/// Whether a measure has stopped falling, with its values before earlier augmentations.
-bool plateau(const std::vector<double>& earlier, double now) {
-  if (earlier.size() < plateau_count)
-    return false;
-  for (std::size_t k = 0; k < plateau_count; ++k) {
-    const double before = earlier[earlier.size() - 1 - k];
-    if (now <= plateau_ratio * before)
-      return false;
-    now = before;
-  }
-  return true;
-}
+constexpr double stiff_factor = 10.0; ///< springs of this f should close a gap fast
 
 /// Columns of what is summed at the corners; all but the first are weighted with it.
 enum Sums {
@@ -54,7 +42,8 @@ Interaction::Multiplier Interaction::base(const PointState& state,
 void Interaction::propose(Augmentation& result) {
   next_.assign(points_.size(), {});
   proposed_ = true;
-  if (options_.space() == Multipliers::smoothed)
+  watch_.look_anew();
+  if (options_.multipliers == Multipliers::smoothed)
     propose_averages(result);
   else
     measure_points(result);
@@ -63,7 +52,7 @@ void Interaction::propose(Augmentation& result) {
       const Local i = point_index(f, p);
       const PointState& state = points_[i];
       Multiplier& next = next_[i];
-      if (options_.space() == Multipliers::per_point)
+      if (options_.multipliers == Multipliers::per_point)
         next = {state.pressure, state.traction - state.pressure * state.normal};
       if (!state.pressed())
         next.shear = Vec3::zero();
@@ -72,9 +61,25 @@ void Interaction::propose(Augmentation& result) {
     }
 }
 
+/// A corner with little cover hardly carries anything: no multiplier of its own closes a gap there.
+void Interaction::merge_slivers() {
+  merged_.clear();
+  std::vector<double> covered(full_.size(), 0.0);
+  each_covered_point([&](Local f, int p, const PointState&, const double* N) {
+    for (int a = 0; a < corners_.corners(f); ++a)
+      covered[std::size_t(corners_.nodes(f)[a])] += N[a] * area_[point_index(f, p)];
+  });
+  corners_.sum(covered);
+  std::vector<char> merged(full_.size());
+  for (std::size_t n = 0; n < merged.size(); ++n)
+    merged[n] = covered[n] < sliver * full_[n];
+  merged_ = std::move(merged);
+}
+
 /// Averages of the tractions at the corners, read back by the points. The pressures stay apart from
 /// them by what the springs carry, as little as an average differs from the pressure itself.
 void Interaction::propose_averages(Augmentation& result) {
+  merge_slivers();
   std::vector<double> at_corners(std::size_t(primary_.num_nodes()) * sums, 0.0);
   each_covered_point([&](Local f, int p, const PointState& state, const double* N) {
     const auto at = primary_point(shape(f, p), primary_nodes(f));
@@ -105,11 +110,14 @@ void Interaction::propose_averages(Augmentation& result) {
     for (int i = 1; i < sums; ++i)
       s[i] /= s[weight];
     constexpr double whole = 1.0 - 1e-9; // at the rim of the contact the average is half open
-    double most = s[closed] >= whole ? -s[gap] : 0.0;
+    double most = s[closed] < whole ? 0.0 : increments_ ? std::fabs(s[gap]) : -s[gap];
     if (s[sticking] >= whole)
       most = std::max(most, norm(Vec3{{s[motion], s[motion + 1], s[motion + 2]}}));
     result.gap = std::max(result.gap, most / s[size]);
     result.length = std::max(result.length, most);
+    const std::size_t node = k / sums;
+    watch_.violated({most / s[size], s[weight], !held_.empty() && held_[node] != 0,
+                     std::fabs(s[weight] - full_[node]) > round_off * full_[node]});
   }
   each_covered_point([&](Local f, int p, const PointState&, const double* N) {
     const auto read = [&](int column) {
@@ -132,26 +140,37 @@ void Interaction::each_covered_point(
       if (state.facing < 0)
         continue;
       corners_.values(f, table_[f]->rule.xi[std::size_t(p)].data(), N);
+      if (!merged_.empty())
+        corners_.hand_on(f, merged_, N);
       visit(f, p, state, N);
     }
 }
 
 /// Largest penetration and motion in stick, point by point.
-void Interaction::measure_points(Augmentation& result) const {
-  for (Local f = 0; f < primary_.num_faces(); ++f)
+void Interaction::measure_points(Augmentation& result) {
+  for (Local f = 0; f < primary_.num_faces(); ++f) {
+    int held = 0, covered = 0;
+    for (int a = 0; a < corners_.corners(f); ++a)
+      held += !held_.empty() && held_[std::size_t(corners_.nodes(f)[a])] != 0;
+    for (int p = 0; p < face_points(f); ++p)
+      covered += points_[point_index(f, p)].facing >= 0;
     for (int p = 0; p < face_points(f); ++p) {
       const PointState& state = points_[point_index(f, p)];
       if (state.facing < 0)
         continue;
       const auto at = primary_point(shape(f, p), primary_nodes(f));
-      double most = -effective_gap(state);
+      const double gap = effective_gap(state);
+      double most = accelerates() && state.pressed() ? std::fabs(gap) : -gap;
       if (state.status() == Status::stick && state.penalty > 0.0)
         most = std::max(most, norm(state.traction - state.pressure * state.normal -
                                    turned_traction(state.history.carried, at)) /
                                   state.penalty);
       result.gap = std::max(result.gap, most / size_[f]);
       result.length = std::max(result.length, most);
+      watch_.violated({most / size_[f], area_[point_index(f, p)], 2 * held >= corners_.corners(f),
+                       covered < face_points(f)});
     }
+  }
 }
 
 /// Relative change that the proposed multipliers make, L2.
@@ -174,7 +193,7 @@ double Interaction::relative_change() const {
 /// Averages leave a penetration of no more than p_max/(6 f E) face sizes: f for the one asked for.
 void Interaction::choose_factor() {
   if (factor_chosen_ || options_.penalty_factor > 0.0 || options_.gap_tolerance == 0.0 ||
-      options_.space() != Multipliers::smoothed || softest_modulus_ == 0.0 ||
+      options_.multipliers != Multipliers::smoothed || softest_modulus_ == 0.0 ||
       options_.enforcement != Enforcement::augmented_lagrangian)
     return;
   double most = 0.0;
@@ -189,11 +208,35 @@ void Interaction::choose_factor() {
   factor_chosen_ = true;
 }
 
+/// f of the penalty, given or automatic; 0 where no body is elastic.
+double Interaction::stiffness_factor() const {
+  if (options_.penalty == 0.0)
+    return factor_;
+  return softest_modulus_ > 0.0 ? options_.penalty * slack_ / softest_modulus_ : 0.0;
+}
+
+Interaction::Tolerances Interaction::tolerances() const {
+  const double gap = options_.gap_tolerance, length = options_.gap_limit;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Tolerances asked{options_.multiplier_tolerance, gap > 0.0 ? gap : none,
+                   length > 0.0 ? length : none};
+  if (asked.change > 0.0)
+    return asked;
+  constexpr double usual_change = 1e-2, usual_gap = 1e-3;
+  asked.change = dual_ ? none : usual_change; // springs of dual ones carry pressures as good
+  if (dual_ && gap == 0.0 && length == 0.0)
+    asked.gap = usual_gap;
+  return asked;
+}
+
 Augmentation Interaction::augmentation() {
+  const Tolerances asked = tolerances();
   Augmentation result;
+  Judged& now = judged_;
   const auto judge = [&] {
     if (dual_) {
-      result = dual_->augmentation();
+      watch_.look_anew();
+      result = dual_->augmentation(watch_, accelerates());
     } else {
       result = {};
       propose(result);
@@ -201,47 +244,21 @@ Augmentation Interaction::augmentation() {
       result.gap = comm_.max(result.gap);
       result.length = comm_.max(result.length);
     }
-    return (options_.gap_tolerance == 0.0 || result.gap <= options_.gap_tolerance) &&
-           (options_.gap_limit == 0.0 || result.length <= options_.gap_limit);
+    now = {result.gap, result.change, result.change <= asked.change,
+           result.gap <= asked.gap && result.length <= asked.length};
   };
-  bool closed = judge();
-  bool settled = result.change <= options_.multiplier_tolerance;
-  if (settled && !closed && !increments_ && options_.space() == Multipliers::smoothed) {
+  judge();
+  if (now.settled && !now.closed && !increments_ && options_.multipliers == Multipliers::smoothed) {
     increments_ = true; // what averages leave open, increments close
-    closed = judge();
-    settled = result.change <= options_.multiplier_tolerance;
+    watch_.clear();
+    judge();
   }
-  result.converged = settled && closed;
-  // A tolerance that is not met while what it bounds still falls is worth another solve.
-  result.stalled = !result.converged && (settled || plateau(last_changes_, result.change)) &&
-                   (closed || plateau(last_gaps_, result.gap));
-  judged_ = {result.gap, result.change};
+  result.converged = now.settled && now.closed;
+  result.stalled = watch_.stalled(now);
+  const bool averages = options_.multipliers == Multipliers::smoothed && !increments_;
+  if (result.stalled || stiffness_factor() >= stiff_factor)
+    result.cause = watch_.cause(now, averages, dual_ != nullptr, poor_side_);
   return result;
-}
-
-void Interaction::augment() {
-  if (dual_)
-    augment_nodes();
-  else if (!proposed_)
-    augmentation();
-  last_gaps_.push_back(judged_[0]);
-  last_changes_.push_back(judged_[1]);
-  for (Local f = 0; f < primary_.num_faces(); ++f)
-    for (int p = 0; p < face_points(f); ++p) {
-      const Local i = point_index(f, p);
-      PointState& state = points_[i];
-      state.swaps = 0;
-      state.returns = 0; // another solve may swing for its own reasons
-      state.left = -1;
-      if (dual_)
-        continue;
-      const auto at = primary_point(shape(f, p), primary_nodes(f));
-      state.history.multiplier = next_[i].pressure;
-      state.history.carried =
-          state.pressed() ? store_traction(at, next_[i].shear) : StoredTraction();
-    }
-  frozen_ = true;
-  searches_ = 0;
 }
 
 } // namespace abut::contact

@@ -114,17 +114,24 @@ void Interaction::advance_history(Local f, int p) {
 
 void Interaction::accept() {
   choose_factor();
-  if (dual_)
+  const bool augments = options_.augments_at_end();
+  if (dual_) {
     accept_nodes();
+  } else if (augments) {
+    Augmentation unused;
+    propose(unused);
+  }
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
       if (!dual_)
         advance_history(f, p);
+      if (!dual_ && augments)
+        take_multiplier(f, p, options_.tied || options_.map() != FrictionMap::incremental);
       state.history.shear =
           state.pressed() ? state.traction - state.pressure * state.normal : Vec3::zero();
       state.converged = state.history;
-      state.returns = state.swaps = 0;
+      state.returns = 0;
       state.left = -1;
     }
     if (options_.update_penalty) {
@@ -140,8 +147,8 @@ void Interaction::accept() {
   x_primary_previous_ = x_primary_;
   x_secondary_previous_ = x_secondary_;
   facing_.accept();
-  last_gaps_.clear();
-  last_changes_.clear();
+  watch_.clear();
+  anderson_.clear();
   searches_ = 0;
 }
 
@@ -150,13 +157,12 @@ void Interaction::reject() {
     dual_->reject();
   for (PointState& p : points_) {
     p.history = p.converged;
-    p.last_shear = p.converged.shear;
-    p.was_pressed = p.converged.in_contact;
-    p.returns = p.swaps = 0;
+    p.last = {p.converged.in_contact, false, {}};
+    p.returns = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }
-  last_gaps_.clear();
-  last_changes_.clear();
+  watch_.clear();
+  anderson_.clear();
   searches_ = 0;
   new_step_ = true;
   frozen_ = false;

@@ -30,6 +30,7 @@ ContactPoint Interaction::contact_point(Local face, int point, const Vec3* y_pre
   c.offset = state.offset;
   c.multiplier = state.multiplier;
   c.carried = state.history.carried;
+  c.line = state.line;
   c.face = state.facing >= 0 ? facing_.type(state.facing) : fem::FaceType::quad4;
   c.xi[0] = state.xi[0];
   c.xi[1] = state.xi[1];
@@ -93,20 +94,18 @@ bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<do
   const Vec3 trial = anchored_trial(c, at, z);
   const double pressure = -dot(at.normal, trial);
   const Vec3 w = tangential(trial, at.normal);
-  const double shear = norm(w);
-  const bool was = state.rule == PointRule::anchored;
-  const bool sticks = options_.tied || (frozen_ && state.rule != PointRule::open
-                                            ? was
-                                            : within_cone(face, state.anchor, state, w, pressure));
+  const bool beyond = norm(w) > friction_ * pressure;
+  const bool sticks =
+      options_.tied || !switched(face, state.anchor, state, w, at.normal, pressure).slips;
+  state.settled = options_.tied || sticks != beyond;
   if (sticks && (options_.tied || pressure > 0.0 || options_.tension)) {
-    state.beyond = !options_.tied && shear > friction_ * pressure;
     state.facing = state.anchor;
     state.xi[0] = state.history.anchor_xi[0];
     state.xi[1] = state.history.anchor_xi[1];
     set_traction(face, point, PointRule::anchored);
     return true;
   }
-  return options_.map() == FrictionMap::inclined_ray && shear > 0.0 &&
+  return options_.map() == FrictionMap::inclined_ray && norm(w) > 0.0 &&
          evaluate_inclined(face, point, at, trial);
 }
 
@@ -139,6 +138,7 @@ bool Interaction::evaluate_inclined(Local face, int point, const PrimaryPoint<do
 void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<double>& at) {
   PointState& state = points_[point_index(face, point)];
   const bool was_open = !state.pressed();
+  state.settled = true;
   const Partner best = nearest(face, point, at);
   state.facing = best.face;
   if (best.face < 0) {
@@ -195,61 +195,49 @@ PointRule Interaction::sliding_rule(Local face, PointState& state, const Contact
                                     const PrimaryPoint<double>& at, const Vec3* y) const {
   if (options_.map() == FrictionMap::literal)
     return PointRule::literal_slip;
-  if (frozen_ && state.rule == PointRule::incremental_slip)
-    return PointRule::incremental_slip;
   const auto partner = contact_partner(c, at, y);
   const double pressure = c.multiplier - c.penalty * (partner.gap - c.offset);
   const Vec3 trial = incremental_trial(c, at, partner);
-  const bool sticks = (frozen_ && state.rule == PointRule::incremental_stick) ||
-                      within_cone(face, state.facing, state, trial, pressure);
-  state.beyond = sticks && norm(trial) > c.friction * pressure;
-  return sticks ? PointRule::incremental_stick : PointRule::incremental_slip;
+  const ShearChoice choice = switched(face, state.facing, state, trial, partner.c, pressure);
+  state.line = choice.line;
+  state.settled = choice.settled;
+  return choice.slips ? PointRule::incremental_slip : PointRule::incremental_stick;
 }
 
-/// Whether a point sticks with the trial shear. A stiff spring overshoots the cone on either side
-/// with every small motion, so that Newton can throw the point from slip to slip for ever. The
-/// primal-dual criterion starts from the last iterate's traction and adds the trial's change as a
-/// soft spring would: a point whose slip turns back sticks first. Both agree where Newton ends, for
-/// there the last traction is the return map's (Alart & Curnier 1991; Hueber, Stadler & Wohlmuth
-/// 2008). The return map needs fewer iterations as long as the point makes up its mind.
-bool Interaction::within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
-                              double pressure) const {
-  const double limit = friction_ * pressure;
-  if (options_.friction_switching == FrictionSwitching::return_map || !state.was_pressed ||
-      state.swaps < patience)
-    return pressure > 0.0 && norm(trial) <= limit;
-  const double share = std::min(1.0, soft_switching * softest_modulus_ *
-                                         inverse_depth(face, facing) / state.penalty);
-  return pressure > 0.0 && norm((1.0 - share) * state.last_shear + share * trial) <= limit;
+/// Stick or slip under the present trial shear; a frozen point stays with what it does.
+ShearChoice Interaction::switched(Local face, Local facing, const PointState& state,
+                                  const Vec3& trial, const Vec3& normal, double pressure) const {
+  double share = 1.0;
+  if (options_.friction_switching == FrictionSwitching::primal_dual)
+    share = std::min(1.0, soft_switching * softest_modulus_ * inverse_depth(face, facing) /
+                              state.penalty);
+  std::optional<bool> held;
+  if (frozen_ && state.rule != PointRule::open && state.rule != PointRule::frictionless)
+    held = state.rule == PointRule::incremental_slip || state.rule == PointRule::inclined_slip;
+  return choose_shear(state.last, trial, normal, friction_ * std::max(0.0, pressure), share, held);
 }
 
-/// The traction that switching starts from in the next configuration.
+/// What switching starts from in the next configuration.
 void Interaction::keep_iterate() {
   if (friction_ == 0.0)
     return;
   if (dual_)
-    return dual_->keep_iterate(friction_);
+    return dual_->keep_iterate();
   for (PointState& state : points_) {
-    const Vec3 now = state.traction - state.pressure * state.normal;
-    if (state.was_pressed && state.pressed() &&
-        (state.status() != state.last_status || dot(now, state.last_shear) < 0.0))
-      ++state.swaps;
-    state.last_status = state.status();
-    state.was_pressed = state.pressed();
-    if (!state.pressed())
+    state.last = {state.pressed(), state.status() == Status::slip, state.line};
+    if (state.rule != PointRule::inclined_slip)
       continue;
-    state.last_shear = now;
-    const double size = norm(state.last_shear), limit = friction_ * std::max(0.0, state.pressure);
-    if (size > limit)
-      state.last_shear = (limit / size) * state.last_shear;
+    const Vec3 shear = state.traction - state.pressure * state.normal;
+    const double size = norm(shear);
+    state.last.line = {size > 0.0 ? (1.0 / size) * shear : Vec3::zero(), 0.0};
   }
 }
 
 bool Interaction::settled() const {
   if (dual_)
     return dual_->settled();
-  return std::none_of(points_.begin(), points_.end(),
-                      [](const PointState& p) { return p.pressed() && p.beyond; });
+  return std::all_of(points_.begin(), points_.end(),
+                     [](const PointState& p) { return !p.pressed() || p.settled; });
 }
 
 /// Traction, pressure and gap of the point under the rule.
@@ -257,8 +245,8 @@ void Interaction::set_traction(Local face, int point, PointRule rule) {
   PointState& state = points_[point_index(face, point)];
   state.rule = rule;
   state.touching = false;
-  if (state.status() != Status::stick)
-    state.beyond = false;
+  if (rule != PointRule::incremental_slip)
+    state.line = {};
   if (rule == PointRule::open) {
     state.pressure = 0.0;
     state.traction = Vec3::zero();

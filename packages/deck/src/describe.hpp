@@ -198,7 +198,8 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
            "how penetration is resisted");
   using contact::Multipliers;
   v.choice("multipliers", o.multipliers,
-           {{"automatic", Multipliers::automatic, "smoothed"},
+           {{"automatic", Multipliers::automatic,
+             "dual; smoothed with a primary that is stiff and fine and where dual does not go"},
             {"per_point", Multipliers::per_point,
              "one at each integration point: the theory; its pressures oscillate"},
             {"smoothed", Multipliers::smoothed,
@@ -206,6 +207,14 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"dual", Multipliers::dual,
              "at the corner nodes of the primary, which hold the law of weighted gaps"}},
            "where the multipliers of augmented_lagrangian live");
+  using contact::AugmentationRule;
+  v.choice("augmentation", o.augmentation,
+           {{"automatic", AugmentationRule::automatic,
+             "anderson for smoothed and dual multipliers, plain at points"},
+            {"plain", AugmentationRule::plain, "of the last solve"},
+            {"anderson", AugmentationRule::anderson,
+             "of the last few solves, so that what they leave cancels best; without friction"}},
+           "what the next multipliers are made of");
   v.optional("penalty_factor", o.penalty_factor,
              "f in eps = f E_n A / V, when penalty is 0; 0: 10; augmented_lagrangian with dual "
              "multipliers 30, with smoothed ones 3 or what gap_tolerance asks for between 1 and 10",
@@ -263,16 +272,20 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("segment_updates", o.segment_updates,
              "searches in a solve after which partners stay; 0: no limit", at_least(0.0, "1"));
   v.optional("multiplier_tolerance", o.multiplier_tolerance,
-             "augmentation stops at this relative change of the multipliers", positive("1"));
+             "augmentation stops at this relative change of the multipliers; 0: at 1e-2, not asked "
+             "of dual ones",
+             at_least(0.0, "1"));
   v.optional("gap_tolerance", o.gap_tolerance,
-             "augmentation also asks for this largest penetration, in face sizes; 0: it does not",
+             "augmentation also asks for this largest penetration, in face sizes; 0: it does not, "
+             "but for 1e-3 of dual multipliers without another tolerance",
              at_least(0.0, "1"));
   v.optional("gap_limit", o.gap_limit,
              "augmentation also asks for this largest penetration; 0: it does not",
              at_least(0.0, "length"));
   v.optional("min_augmentations", o.min_augmentations, "at least so many, each step",
              at_least(0.0, "1"));
-  v.optional("max_augmentations", o.max_augmentations, "at most so many, each step",
+  v.optional("max_augmentations", o.max_augmentations,
+             "at most so many, each step; 0: multipliers change once, at the end of the step",
              at_least(0.0, "1"));
   v.check("min_augmentations", o.min_augmentations <= o.max_augmentations,
           "more than max_augmentations, which is " + std::to_string(o.max_augmentations));

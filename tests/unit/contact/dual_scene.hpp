@@ -56,12 +56,16 @@ inline mesh::Surface patch(fem::FaceType type, int n, double x0, double x1, bool
 }
 
 struct DualScene {
-  /// The primary looks down and lies over the secondary, overlapping by about `depth`.
+  /// The primary looks down and lies over the secondary, overlapping by about `depth`, turned about
+  /// its middle by `turn`. The dual law, unless o says otherwise.
   DualScene(fem::FaceType primary, fem::FaceType secondary, ContactOptions o, double depth = 0.03,
-            int n = 3, double wave = 0.03)
+            int n = 3, double wave = 0.03, double turn = 0.0)
       : upper(patch(primary, n, 0.0, 1.0, true, 0, 0,
                     [=](double* x) {
                       x[2] = wave * (std::sin(3.0 * x[0]) + std::cos(2.0 * x[1])) - depth;
+                      const double a = x[0] - 0.5, b = x[1] - 0.5;
+                      x[0] = 0.5 + std::cos(turn) * a - std::sin(turn) * b;
+                      x[1] = 0.5 + std::sin(turn) * a + std::cos(turn) * b;
                     })),
         lower(patch(secondary, 4, -0.3, 1.37, false, upper.num_nodes(), 1000,
                     [=](double* x) {
@@ -70,7 +74,8 @@ struct DualScene {
                     })),
         system(upper.num_nodes() + lower.num_nodes(), 3) {
     o.name = "pair";
-    o.multipliers = Multipliers::dual;
+    if (o.multipliers == Multipliers::automatic)
+      o.multipliers = Multipliers::dual;
     pair = std::make_unique<Interaction>(Comm(MPI_COMM_WORLD), upper, lower, o, timers);
     pair->set_exact_tangent(true);
   }

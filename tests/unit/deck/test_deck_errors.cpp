@@ -73,6 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
+             "augmentation, "
              "penalty_factor, penalty, penalty_curve, update_penalty, friction, friction_curve, "
              "friction_map, friction_switching, two_pass, tension, tied, tie_distance, offset, "
              "initial_overlap, tangent, points, reach, "
@@ -117,8 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
              "d.yaml:10: contact.pair.penalty_factor: expected a number >= 0, got '-1'"},
         Case{10, "    penalty_factor: .inf",
              "d.yaml:10: contact.pair.penalty_factor: expected a number >= 0, got '.inf'"},
-        Case{10, "    penalty_factor: [1]",
-             "d.yaml:10: contact.pair.penalty_factor: expected a number >= 0, got a list of 1 item"},
+        Case{
+            10, "    penalty_factor: [1]",
+            "d.yaml:10: contact.pair.penalty_factor: expected a number >= 0, got a list of 1 item"},
         Case{10, "    penalty_factor:",
              "d.yaml:10: contact.pair.penalty_factor: expected a number >= 0, got nothing"},
         Case{10, "    enforcement: penaltyy",

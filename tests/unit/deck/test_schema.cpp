@@ -100,8 +100,8 @@ TEST(Schema, JsonIsASchemaWithTheSameKeys) {
   EXPECT_EQ(json["required"], (nlohmann::json{"mesh", "bodies"}));
   const auto& contact = json["properties"]["contact"]["additionalProperties"];
   EXPECT_EQ(contact["additionalProperties"], false);
-  EXPECT_EQ(contact["properties"]["multiplier_tolerance"]["exclusiveMinimum"], 0.0);
-  EXPECT_EQ(contact["properties"]["multiplier_tolerance"]["default"], 0.01);
+  EXPECT_EQ(contact["properties"]["tie_distance"]["exclusiveMinimum"], 0.0);
+  EXPECT_EQ(contact["properties"]["tie_distance"]["default"], 0.1);
   EXPECT_EQ(contact["properties"]["enforcement"]["enum"][1], "augmented_lagrangian");
   const auto& poisson =
       json["properties"]["materials"]["additionalProperties"]["properties"]["poisson"];

@@ -24,6 +24,9 @@ public:
   const Local* nodes(Local face) const { return &surface_.nodes[surface_.offset[face]]; }
   /// Values of the face's functions at a point of its parameter plane: (corners).
   void values(Local face, const double xi[2], double* N) const;
+  /// Adds the functions N of those corners of the face whose node is `merged` (surface nodes) to
+  /// the others, in equal shares, so that no numbering decides. All stay where all are merged.
+  void hand_on(Local face, const std::vector<char>& merged, double* N) const;
   /// The function's value at the point; data: (surface nodes, components).
   double interpolate(Local face, const double* N, const std::vector<double>& data,
                      int component = 0, int components = 1) const;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/contact/anderson.hpp"
 #include "abut/contact/corner_space.hpp"
 #include "abut/contact/facing_surface.hpp"
 #include "abut/contact/normal_law.hpp"
 #include "abut/contact/options.hpp"
+#include "abut/contact/plateau.hpp"
 #include "abut/contact/point_state.hpp"
 #include "abut/core/contribution.hpp"
 #include "abut/core/log.hpp"
@@ -45,11 +47,14 @@ struct ContactSummary {
 struct Augmentation {
   double change = 0.0; ///< relative change of the multipliers, L2 [1]
   /// Largest violation over face size: penetration and motion in stick, at points, or averaged at
-  /// those corners whose faces are closed when the multipliers live there [1].
+  /// those corners whose faces are closed when the multipliers live there; with increments of
+  /// averages and with accelerated multipliers also a gap across which they press [1].
   double gap = 0.0;
   double length = 0.0;    ///< the same [length]
   bool converged = false; ///< the tolerances hold
   bool stalled = false;   ///< what is beyond its tolerance has not fallen for several augmentations
+  /// Why it has hardly fallen, when it has stalled or with springs as stiff as f = 10.
+  PlateauCause cause = PlateauCause::none;
 };
 
 /// New multipliers of a point after a solve: changes `pressure` and `shear` (tangent, on the
@@ -103,8 +108,9 @@ public:
 
   /// Factors over the load parameter t on penalty and friction coefficient.
   void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
-  /// Another law of the normal traction; empty: penalty and multiplier.
-  void set_normal_law(NormalLaw law) { normal_law_ = std::move(law); }
+  /// Another law of the normal traction; empty: penalty and multiplier. Throws InputError with dual
+  /// multipliers.
+  void set_normal_law(NormalLaw law);
   /// Another update of the multipliers; empty: that of options().multipliers.
   void set_update(MultiplierUpdate update) { update_ = std::move(update); }
   /// Whether early tangents of a solve are those of the residual exactly, instead of moderated ones
@@ -112,7 +118,7 @@ public:
   void set_exact_tangent(bool exact) { exact_tangent_ = exact; }
   /// Which displacements of the primary's nodes are prescribed, (surface nodes), bits 1, 2, 4 for
   /// x, y, z: a node of the dual law that cannot move along the normal has no multiplier of its
-  /// own. Collective.
+  /// own, and a plateau of augmentations may have its cause there. Collective.
   void set_prescribed(const std::vector<char>& directions);
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t) { end_ = t; }
@@ -189,8 +195,8 @@ private:
   bool normal_response(Local face, PointState& state) const;
   PointRule sliding_rule(Local face, PointState& state, const ContactPoint& c,
                          const PrimaryPoint<double>& at, const Vec3* y) const;
-  bool within_cone(Local face, Local facing, const PointState& state, const Vec3& trial,
-                   double pressure) const;
+  ShearChoice switched(Local face, Local facing, const PointState& state, const Vec3& trial,
+                       const Vec3& normal, double pressure) const;
   void set_traction(Local face, int point, PointRule rule);
   void keep_iterate();
   /// The point as the kernels take it; y_previous must live as long as the result.
@@ -223,11 +229,21 @@ private:
     double pressure = 0.0;
     Vec3 shear = Vec3::zero();
   };
+  struct Tolerances { ///< of an augmentation, infinite where not asked
+    double change, gap, length;
+  };
+  Tolerances tolerances() const;
   void choose_factor();
   void propose(Augmentation& result);
   void propose_averages(Augmentation& result);
   Multiplier base(const PointState& state, const PrimaryPoint<double>& at) const;
-  void measure_points(Augmentation& result) const;
+  void measure_points(Augmentation& result);
+  void merge_slivers();
+  void take_multiplier(Local face, int point, bool shear);
+  double stiffness_factor() const;
+  bool accelerates() const;
+  Global active_set() const;
+  std::vector<double> next_pressures();
   double relative_change() const;
   /// visit(face, point, state, corner functions), for all points with a partner.
   void each_covered_point(
@@ -251,6 +267,7 @@ private:
   Comm comm_;
   mesh::Surface primary_, secondary_; ///< coordinates relative to origin_
   Vec3 origin_ = Vec3::zero();
+  bool poor_side_; ///< the primary is stiff and fine
   ContactOptions options_;
   PhaseTimers& timers_;
   double share_;
@@ -293,11 +310,16 @@ private:
   Connectivity pairs_;
   mutable Connectivity candidates_;
   long version_ = 0;
-  std::vector<Multiplier> next_;   ///< (I,P) proposed
-  bool proposed_ = false;          ///< for the present configuration
-  std::array<double, 2> judged_{}; ///< gap and change of the proposal
-  bool increments_ = false;        ///< smoothed multipliers grow by averages of what springs carry
-  std::vector<double> last_gaps_, last_changes_; ///< before each augmentation of the step
+  std::vector<Multiplier> next_; ///< (I,P) proposed
+  bool proposed_ = false;        ///< for the present configuration
+  bool increments_ = false;      ///< smoothed multipliers grow by averages of what springs carry
+  std::vector<double> full_;     ///< (surface nodes) integrals of the corner functions [length^2]
+  std::vector<char> merged_;     ///< (surface nodes) corners with little cover, of smoothed ones
+  std::vector<char> held_;       ///< (surface nodes) prescribed along the normal; may be empty
+  Judged judged_;                ///< of the last proposal
+  PlateauWatch watch_;
+  Anderson anderson_;
+  std::vector<char> last_active_; ///< at the last augmentation, by points or nodes
 };
 
 } // namespace abut::contact

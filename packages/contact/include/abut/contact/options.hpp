@@ -40,10 +40,17 @@ enum class Tangent {
 
 /// Where the multipliers of augmented Lagrangian live. docs/theory/multipliers.md
 enum class Multipliers {
-  automatic, ///< smoothed
+  automatic, ///< dual, or smoothed where a dual law does not go: goes_dual, SideComparison::is_poor
   per_point, ///< one at each integration point: the theory; its pressures oscillate
   smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
+};
+
+/// What the next multipliers are made of.
+enum class AugmentationRule {
+  automatic, ///< anderson for smoothed and dual multipliers, plain at points
+  plain,     ///< the last solve
+  anderson,  ///< the last few solves, so that what they leave cancels best; without friction
 };
 
 /// Which of the two surfaces is the primary.
@@ -62,6 +69,7 @@ struct ContactOptions {
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
+  AugmentationRule augmentation = AugmentationRule::automatic;
 
   double penalty_factor = 0.0; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
   double penalty = 0.0;        ///< eps itself, 0 means automatic [pressure/length]
@@ -86,16 +94,37 @@ struct ContactOptions {
   double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
   int segment_updates = 0;         ///< searches in a solve after which partners stay; 0: no limit
 
-  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum.
-  double multiplier_tolerance = 1e-2; ///< relative change of the multipliers [1]
-  double gap_tolerance = 0.0;         ///< largest penetration in face sizes; 0: not asked [1]
-  double gap_limit = 0.0;             ///< largest penetration; 0: not asked [length]
+  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum. With a
+  // maximum of zero multipliers change once, at the end of each step.
+  double multiplier_tolerance = 0.0; ///< relative change of the multipliers; 0: 1e-2, not asked
+                                     ///< of dual ones [1]
+  double gap_tolerance = 0.0; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
+                              ///< multipliers where no tolerance is given [1]
+  double gap_limit = 0.0;     ///< largest penetration; 0: not asked [length]
   int min_augmentations = 0;
   int max_augmentations = 20;
 
+  /// Whether multipliers change at the end of a step only.
+  bool augments_at_end() const {
+    return enforcement == Enforcement::augmented_lagrangian && max_augmentations == 0;
+  }
+  /// Whether the tractions at the end of a step become the multipliers that the next one starts
+  /// from.
+  bool carries_tractions() const {
+    return augments_at_end() ||
+           (enforcement == Enforcement::augmented_lagrangian && multipliers == Multipliers::dual);
+  }
+  /// Whether the next multipliers are made of several solves.
+  bool accelerates() const {
+    return friction == 0.0 && !tied && !tension &&
+           (augmentation == AugmentationRule::anderson ||
+            (augmentation == AugmentationRule::automatic && multipliers != Multipliers::per_point));
+  }
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
-  Multipliers space() const {
-    return multipliers == Multipliers::automatic ? Multipliers::smoothed : multipliers;
+  /// Whether these options go with dual multipliers.
+  bool goes_dual() const {
+    return !tied && !tension && tangent != Tangent::automatic &&
+           friction_map != FrictionMap::inclined_ray && friction_map != FrictionMap::literal;
   }
   FrictionMap map() const {
     if (multipliers == Multipliers::dual)

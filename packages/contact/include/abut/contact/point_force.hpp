@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/contact/friction_switch.hpp"
 #include "abut/contact/primary_point.hpp"
 #include "abut/fem/face_map.hpp"
 #include "abut/search/closest_point.hpp"
@@ -20,7 +21,7 @@ enum class PointRule : signed char {
   open,
   frictionless,      ///< t = p c
   incremental_stick, ///< t = p c + w, w = lambda_T - eps theta r
-  incremental_slip,  ///< t = p (c + mu w/|w|)
+  incremental_slip,  ///< t = p (c + mu w/|w|), or linear in w along a given SlipLine
   anchored,      ///< t = lambda + eps (x2(anchor) - x1 + offset c): stick of the other maps, tied
   inclined_slip, ///< t = eps q m along the ray m = c + mu w/|w| (sliding_elastic)
   literal_slip,  ///< t = p (c - mu r/max(|r|, mu p/eps)), r as the theory prints it
@@ -36,6 +37,7 @@ struct ContactPoint {
   double offset = 0.0;     ///< gap that counts as zero [length]
   double multiplier = 0.0; ///< of the pressure; negative in tension of tied points [pressure]
   StoredTraction carried;  ///< tangential multiplier or converged traction
+  SlipLine line;           ///< of incremental_slip
   fem::FaceType face = fem::FaceType::quad4; ///< that carries the force
   double xi[2] = {0.0, 0.0};                 ///< partner of the point on it
   fem::FaceType anchor_face = fem::FaceType::quad4;
@@ -274,9 +276,13 @@ KOKKOS_INLINE_FUNCTION void partner_traction(const ContactPoint& c, const Primar
     return;
   }
   const Vec<T, 3> w = incremental_trial(c, p, s);
-  if (c.rule == PointRule::incremental_stick)
+  if (c.rule == PointRule::incremental_stick) {
     result.traction += w;
-  else
+  } else if (c.line.given()) {
+    const Vec<T, 3> n = plain<T>(c.line.direction);
+    result.traction +=
+        T(c.friction * result.pressure - c.line.turning * dot(n, w)) * n + c.line.turning * w;
+  } else
     result.traction += T(c.friction * result.pressure / norm(w)) * w;
 }
 

@@ -36,21 +36,19 @@ struct PointState {
   int returns = 0; ///< times the point went back to it in this solve
 
   PointRule rule = PointRule::open;
-  double gap = 0.0;                  ///< > 0 open, offset not taken off [length]
-  double offset = 0.0;               ///< gap that counts as zero now [length]
-  double overlap = 0.0;              ///< of the meshes at the start [length]
-  double penalty = 0.0;              ///< [pressure/length]
-  double multiplier = 0.0;           ///< so that pressure = multiplier - penalty (gap - offset)
-  double pressure = 0.0;             ///< per area of the formulation's measure; < 0 only in tension
-  Vec3 traction{{0, 0, 0}};          ///< on the primary, of the same measure [pressure]
-  Vec3 normal{{0, 0, 0}};            ///< contact normal, from the secondary to the primary
-  Vec3 last_shear{{0, 0, 0}};        ///< of the last Newton iterate, within the cone [pressure]
-  bool was_pressed = false;          ///< then
-  Status last_status = Status::open; ///< then
-  int swaps = 0;                     ///< changes of status or of direction in this solve
-  bool beyond = false;   ///< sticks though its traction lies beyond the cone: not settled
-  int flips = 0;         ///< changes of status in this step
-  bool touching = false; ///< no pressure, but stiff: bodies that just touch hold
+  double gap = 0.0;         ///< > 0 open, offset not taken off [length]
+  double offset = 0.0;      ///< gap that counts as zero now [length]
+  double overlap = 0.0;     ///< of the meshes at the start [length]
+  double penalty = 0.0;     ///< [pressure/length]
+  double multiplier = 0.0;  ///< so that pressure = multiplier - penalty (gap - offset)
+  double pressure = 0.0;    ///< per area of the formulation's measure; < 0 only in tension
+  Vec3 traction{{0, 0, 0}}; ///< on the primary, of the same measure [pressure]
+  Vec3 normal{{0, 0, 0}};   ///< contact normal, from the secondary to the primary
+  SlipLine line;            ///< of incremental_slip
+  bool settled = true;      ///< the shear is the return map's
+  ShearIterate last;        ///< of the last Newton iterate
+  int flips = 0;            ///< changes of status in this step
+  bool touching = false;    ///< no pressure, but stiff: bodies that just touch hold
 
   /// Whether the point has a row in the tangent.
   bool active() const { return rule != PointRule::open; }

@@ -22,7 +22,7 @@ struct TractionColumns {
   const Vec3* row_xi[2] = {nullptr, nullptr}; ///< null: the point is fixed to the face
 };
 
-/// t = p c + w in stick, t = p (c + mu w/|w|) in slip; without a trial t = p c.
+/// t = p c + w in stick, t = p (c + mu w/|w|) or along c.line in slip; without a trial t = p c.
 /// False when a slipping point has no direction.
 inline KOKKOS_FUNCTION bool law_columns(const ContactPoint& c, const PartnerColumns& s,
                                         const TrialColumns* trial, bool slips, TractionColumns& t) {
@@ -30,7 +30,12 @@ inline KOKKOS_FUNCTION bool law_columns(const ContactPoint& c, const PartnerColu
   Vec3 ray = s.c, direction = Vec3::zero();
   double ratio = 1.0; // of the tangential traction to the trial
   t.traction = pressure * s.c;
-  if (trial != nullptr && slips) {
+  if (trial != nullptr && slips && c.line.given()) {
+    direction = c.line.direction;
+    ratio = c.line.turning;
+    ray += c.friction * direction;
+    t.traction += (c.friction * pressure - ratio * dot(direction, trial->w)) * direction;
+  } else if (trial != nullptr && slips) {
     const double size = norm(trial->w);
     if (!(size > 0.0))
       return false;
