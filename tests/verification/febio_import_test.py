@@ -70,12 +70,12 @@ def root(function):
     return low
 
 
-def pressed():
-    """Displacements along z of the lower and the upper face in contact."""
+def pressed(penalty=FACTOR * (LOWER + UPPER)):
+    """Displacements along z of the lower and the upper face in contact; A/V is 1, and FEBio's two passes
+    add up."""
     def stretch(modulus, p):
         return -p / modulus + (1 + (p / modulus)**2)**0.5
 
-    penalty = FACTOR * LOWER + FACTOR * UPPER  # A/V = 1; FEBio's two passes add up
     p = root(lambda p: stretch(LOWER, p) + stretch(UPPER, p) - p / penalty - 2 + DOWN)
     return stretch(LOWER, p) - 1, 1 - DOWN - stretch(UPPER, p)
 
@@ -120,6 +120,18 @@ class Cubes(unittest.TestCase):
         numpy.testing.assert_allclose(before[UPPER_BOTTOM], -DOWN, rtol=1e-10)
         self.assertEqual(fields.times[-1], 2.0)
         self.expect_pressed(fields.nodal("displacement_z"))
+
+    def test_multipliers_of_the_second_step(self):
+        touch = TOUCH.replace("<two_pass>1</two_pass>", '''<laugon>AUGLAG</laugon>
+          <tolerance>1e-9</tolerance><maxaug>100</maxaug>''')
+        fields = self.run_cubes(cubes(
+            control=f"<Step><step>{CONTROL}</step><step>{CONTROL}{touch}</step></Step>", more="")).fields
+        before = fields.nodal("displacement_z", list(fields.times).index(1.0))
+        numpy.testing.assert_allclose(before[LOWER_TOP], 0, atol=1e-12)
+        height, _ = pressed(float("inf"))
+        uz = fields.nodal("displacement_z")
+        numpy.testing.assert_allclose(uz[LOWER_TOP], height, rtol=0, atol=1e-9)
+        numpy.testing.assert_allclose(uz[UPPER_BOTTOM], height, rtol=0, atol=1e-9)
 
     def test_tied_cubes_pulled(self):
         """The tie is a spring between the two: P = PENALTY (above - below)."""
