@@ -62,7 +62,7 @@ def cubes(control=CONTROL, boundary=SIDEWAYS + FLOOR + PRESS, more=TOUCH, upper=
 
 def root(function):
     """The zero of a growing or falling function between 0 and 10."""
-    low, high = 0.0, 10.0
+    low, high = 1e-9, 10.0
     sign = numpy.sign(function(high))
     for _ in range(100):
         middle = 0.5 * (low + high)
@@ -70,12 +70,12 @@ def root(function):
     return low
 
 
-def pressed():
-    """Displacements along z of the lower and the upper face in contact."""
+def pressed(penalty=FACTOR * (LOWER + UPPER)):
+    """Displacements along z of the lower and the upper face in contact; A/V is 1, and FEBio's two passes
+    add up."""
     def stretch(modulus, p):
         return -p / modulus + (1 + (p / modulus)**2)**0.5
 
-    penalty = FACTOR * LOWER + FACTOR * UPPER  # A/V = 1; FEBio's two passes add up
     p = root(lambda p: stretch(LOWER, p) + stretch(UPPER, p) - p / penalty - 2 + DOWN)
     return stretch(LOWER, p) - 1, 1 - DOWN - stretch(UPPER, p)
 
@@ -121,6 +121,18 @@ class Cubes(unittest.TestCase):
         self.assertEqual(fields.times[-1], 2.0)
         self.expect_pressed(fields.nodal("displacement_z"))
 
+    def test_multipliers_of_the_second_step(self):
+        touch = TOUCH.replace("<two_pass>1</two_pass>", '''<laugon>AUGLAG</laugon>
+          <tolerance>1e-9</tolerance><maxaug>100</maxaug>''')
+        fields = self.run_cubes(cubes(
+            control=f"<Step><step>{CONTROL}</step><step>{CONTROL}{touch}</step></Step>", more="")).fields
+        before = fields.nodal("displacement_z", list(fields.times).index(1.0))
+        numpy.testing.assert_allclose(before[LOWER_TOP], 0, atol=1e-12)
+        height, _ = pressed(float("inf"))
+        uz = fields.nodal("displacement_z")
+        numpy.testing.assert_allclose(uz[LOWER_TOP], height, rtol=0, atol=1e-9)
+        numpy.testing.assert_allclose(uz[UPPER_BOTTOM], height, rtol=0, atol=1e-9)
+
     def test_tied_cubes_pulled(self):
         """The tie is a spring between the two: P = PENALTY (above - below)."""
         penalty, up = 50.0, 0.2
@@ -139,6 +151,19 @@ class Cubes(unittest.TestCase):
                 numpy.testing.assert_allclose(uz[LOWER_TOP], stretch(LOWER, p) - 1, rtol=0, atol=1e-10)
                 numpy.testing.assert_allclose(uz[UPPER_BOTTOM], 1 + up - stretch(UPPER, p), rtol=0,
                                               atol=1e-10)
+
+    def test_wall_comes_down(self):
+        """A plane z = 1 - DOWN t whose normal points down; P = PENALTY (height - place)."""
+        penalty = 200.0
+        wall = f'''<Constraints><constraint type="rigid_wall" surface="below">
+          <penalty>{penalty}</penalty><offset lc="1">{DOWN}</offset><plane>0,0,-1,-1</plane>
+          </constraint></Constraints>'''
+        hung = '''<bc name="hung" node_set="top" type="zero displacement"><z_dof>1</z_dof></bc>'''
+        fields = self.run_cubes(cubes(boundary=SIDEWAYS + FLOOR + hung, more=wall)).fields
+        height = root(lambda s: LOWER / 2 * (1 / s - s) - penalty * (s - 1 + DOWN))
+        self.assertLess(height, 1 - 0.9 * DOWN)
+        numpy.testing.assert_allclose(fields.nodal("displacement_z")[LOWER_TOP], height - 1, rtol=0,
+                                      atol=1e-10)
 
     def test_rigid_body_goes_down_then_sideways(self):
         def step(dof, value, *held):

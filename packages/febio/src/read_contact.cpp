@@ -54,15 +54,6 @@ void read_numbers(Element contact, Contact& c, const Parameter& p) {
   }
 }
 
-void read_laugon(Element contact, Contact& c) {
-  auto child = contact.child("laugon");
-  const std::string text = child ? child->text() : "PENALTY";
-  const bool augmented = text == "AUGLAG" || text == "1";
-  if (!augmented && text != "PENALTY" && text != "0")
-    child->refuse("'" + text + "': abut has PENALTY and AUGLAG");
-  c.values["laugon"] = {augmented ? 1.0 : 0.0, 0, contact.line()};
-}
-
 void refuse_smooth_aug(Element contact) {
   contact.expect("smooth_aug", 0,
                  "multipliers from element stresses; abut smooths them by 'multipliers: smoothed'");
@@ -157,7 +148,7 @@ void read_one(Element contact, Model& model) {
   const auto same = [&](const SurfacePair& p) { return p.name == c.pair; };
   if (std::none_of(model.mesh.pairs.begin(), model.mesh.pairs.end(), same))
     contact.fail("there is no <SurfacePair> '" + c.pair + "'");
-  read_laugon(contact, c);
+  c.values["laugon"] = {read_augmentation(contact) ? 1.0 : 0.0, 0, contact.line()};
   if (c.type == "tied-node-on-facet")
     read_tied_node_on_facet(contact, c);
   else if (c.type == "tied-elastic")
@@ -172,6 +163,15 @@ void read_one(Element contact, Model& model) {
 }
 
 } // namespace
+
+bool read_augmentation(Element contact) {
+  auto child = contact.child("laugon");
+  const std::string text = child ? child->text() : "PENALTY";
+  const bool augmented = text == "AUGLAG" || text == "1";
+  if (!augmented && text != "PENALTY" && text != "0")
+    child->refuse("'" + text + "': abut has PENALTY and AUGLAG");
+  return augmented;
+}
 
 void read_contacts(Element section, Model& model) {
   for (Element contact : section.children("contact"))

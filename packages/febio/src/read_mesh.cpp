@@ -41,8 +41,9 @@ Global read_id(Element& e) {
   const std::string text = e.required_attribute("id");
   char* end = nullptr;
   const Global id = std::strtoll(text.c_str(), &end, 10);
-  if (end != text.c_str() + text.size() || id < 1)
-    e.fail("expected a whole number > 0 as id, got '" + text + "'");
+  constexpr Global largest = 2000000000; // Exodus files hold 32 bits
+  if (end != text.c_str() + text.size() || id < 1 || id > largest)
+    e.fail("expected a whole number from 1 to 2000000000 as id, got '" + text + "'");
   return id;
 }
 

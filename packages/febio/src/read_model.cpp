@@ -17,7 +17,6 @@ void read_module(Element root) {
 /// Sections that change the answer and that abut has nothing for.
 void refuse_sections(Element parent) {
   const std::pair<const char*, const char*> sections[] = {
-      {"Constraints", "abut has none; make a rigid wall a rigid body of one hex8 and a contact"},
       {"Initial", "abut is static and starts without strain"},
       {"Discrete", "abut has no springs"},
       {"MeshData", "abut has no data that vary from element to element"},
@@ -39,6 +38,15 @@ void read_physics(Element parent, Model& model) {
     read_loads(*section, model);
   if (const auto section = parent.child("Contact"))
     read_contacts(*section, model);
+}
+
+/// A wall is there in all steps, its contact perhaps in one alone.
+void read_walls(Element parent, Model& model, int step) {
+  const std::size_t before = model.contacts.size();
+  if (const auto section = parent.child("Constraints"))
+    read_constraints(*section, model);
+  for (std::size_t i = before; i < model.contacts.size(); ++i)
+    model.contacts[i].step = step;
 }
 
 /// Reads what holds in one step alone.
@@ -87,6 +95,7 @@ void read_steps(Element root, Model& model) {
     else if (!control || steps.size() > 1)
       steps[i].fail("expected an element <Control> in it");
     StepReader(model).read(steps[i], static_cast<int>(i));
+    read_walls(steps[i], model, static_cast<int>(i));
   }
   if (model.steps.empty())
     root.fail("expected an element <Control> in it or in its <step>");
@@ -134,6 +143,7 @@ Model read_model(const std::string& text, const std::string& file, Report& repor
   if (auto section = root.child("LoadData"))
     read_load_data(*section, model);
   read_physics(root, model);
+  read_walls(root, model, -1);
   read_steps(root, model);
   root.ignore("Output", "abut writes displacement, contact fields, stress and energy always");
   report = document.report();

@@ -14,6 +14,10 @@ void read_boundary(Element section, Model& model);
 void read_rigid(Element section, Model& model);
 void read_loads(Element section, Model& model);
 void read_contacts(Element section, Model& model);
+/// Walls become rigid bodies and contacts.
+void read_constraints(Element section, Model& model);
+/// Whether <laugon> asks for multipliers.
+bool read_augmentation(Element contact);
 void read_load_data(Element section, Model& model);
 
 /// Throws when the name is taken; for lists of items with a name and a line.

@@ -87,6 +87,9 @@ INSTANTIATE_TEST_SUITE_P(
                "m.feb:22: <NodeSet>: there is no node 9223372036854775807"},
         Broken{22, "<NodeSet name=\"" + std::string(300, 'a') + "\">1</NodeSet>",
                "m.feb:22: <NodeSet>: attribute 'name' is longer than 240 bytes"},
+        Broken{19, "<elem id=\"2147483648\">1,2,3,4,5,6,7,8</elem></Elements>",
+               "m.feb:19: <elem>: expected a whole number from 1 to 2000000000 as id, got "
+               "'2147483648'"},
         // Two nodes of the unit cube have changed places: it folds over.
         Broken{19, "<elem id=\"7\">2,1,3,4,5,6,7,8</elem></Elements>",
                "m.feb:19: <elem>: element 7 is inside out or degenerate: its Jacobian has "
@@ -127,13 +130,12 @@ INSTANTIATE_TEST_SUITE_P(
                "shell_bottom_primary, shell_bottom_secondary, smooth_aug"},
         Broken{41, "<penalty>7</penalty>", "m.feb:41: Contact/contact/penalty: given twice"},
         Broken{35,
-               "</Boundary><Constraints><constraint type=\"rigid_wall\"/></Constraints>"
+               "</Boundary><Constraints><constraint type=\"volume\"/></Constraints>"
                "<Initial/><Physics/>",
-               "m.feb:35: Constraints: abut has none; make a rigid wall a rigid body of one hex8 "
-               "and a contact\n"
+               "m.feb:35: Constraints/constraint: type 'volume': abut has rigid_wall\n"
                "m.feb:35: Physics: not supported here; valid: Module, Globals, Material, Mesh, "
-               "MeshDomains, LoadData, Constraints, Initial, Discrete, MeshData, MeshAdaptor, "
-               "Boundary, Rigid, Loads, Contact, Control, Step, Output"}));
+               "MeshDomains, LoadData, Initial, Discrete, MeshData, MeshAdaptor, "
+               "Boundary, Rigid, Loads, Contact, Constraints, Control, Step, Output"}));
 
 TEST(BrokenFiles, EndWithAnErrorWhereverTheyAreCut) {
   const std::string whole = with({});

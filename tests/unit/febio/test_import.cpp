@@ -288,6 +288,40 @@ TEST(Import, TiedContact) {
                     "    two_pass: true\n    penalty: 2  # twice FEBio's: its two passes add up\n");
 }
 
+std::map<std::size_t, std::string> wall(const std::string& parameters) {
+  return {
+      {35, "</Boundary><Constraints><constraint name=\"wall\" type=\"rigid_wall\" surface=\"low "
+           "face\">" +
+               parameters + "</constraint></Constraints>"}};
+}
+
+// The plane's normal has length 2: FEBio's gap is 4 (place + offset / 4 - n.x).
+TEST(Import, RigidWallsAreBricks) {
+  const Scene scene = scene_with(wall("<penalty lc=\"1\">5</penalty><offset lc=\"1\">0.4</offset>"
+                                      "<plane>0,0,-2,-3</plane>"));
+  const std::string bodies = section(scene.deck, "bodies");
+  EXPECT_EQ(bodies.substr(bodies.find("  wall:")),
+            "  wall:\n    blocks: [wall]\n    rigid: {displacement: [0, 0, -0.1], curve: LC1}\n");
+  const std::string contact = section(scene.deck, "contact");
+  EXPECT_EQ(contact.substr(contact.find("  wall:")),
+            "  wall:\n    primary: \"low face\"\n    secondary: wall\n"
+            "    formulation: node_on_facet\n    penalty: 20\n    penalty_curve: LC1\n");
+  const mesh::BlockData& brick = scene.mesh.blocks.at(2);
+  EXPECT_EQ(brick.element_id, std::vector<Global>{10});
+  for (std::size_t a = 0; a < 8; ++a) {
+    const double z = scene.mesh.x[3 * std::size_t(brick.nodes[a]) + 2];
+    if (a < 4)
+      EXPECT_GT(z, 3.0); // behind the plane
+    else
+      EXPECT_DOUBLE_EQ(z, 1.5);
+  }
+  EXPECT_EQ(scene.mesh.side_sets.at("wall").at(0).block, 2);
+  EXPECT_EQ(error_with(wall("<penalty>5</penalty><plane>0,0,0,1</plane>")),
+            "m.feb:35: <plane>: expected a, b, c, d with a normal (a, b, c)");
+  EXPECT_EQ(error_with(wall("<laugon>AUGLAG</laugon><penalty>5</penalty><plane>0,0,1,1</plane>")),
+            "m.feb:35: <constraint>: AUGLAG expects a <tolerance> > 0");
+}
+
 TEST(Import, BodyLoadOfOnePart) {
   const Scene scene =
       scene_with({{37, "<Loads><body_load name=\"w\" type=\"const\" elem_set=\"upper\"><x>3</x>"
