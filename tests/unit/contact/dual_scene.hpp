@@ -8,9 +8,38 @@
 #include <cmath>
 #include <memory>
 #include <mpi.h>
+#include <vector>
 
 /// Two wavy surfaces of any face type that do not match, moved by hand, under the dual law.
 namespace abut::contact::testing {
+
+/// Face types of both sides and the formulation.
+struct Faces {
+  fem::FaceType primary, secondary;
+  Formulation formulation;
+};
+
+inline std::vector<Faces> all_faces() {
+  std::vector<Faces> list;
+  const fem::FaceType pairs[][2] = {
+      {fem::FaceType::quad4, fem::FaceType::quad4}, {fem::FaceType::quad4, fem::FaceType::tri3},
+      {fem::FaceType::tri3, fem::FaceType::quad8},  {fem::FaceType::quad8, fem::FaceType::quad9},
+      {fem::FaceType::quad9, fem::FaceType::quad4}, {fem::FaceType::tri6, fem::FaceType::tri6}};
+  for (const auto& p : pairs)
+    for (Formulation f :
+         {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})
+      list.push_back({p[0], p[1], f});
+  return list;
+}
+
+inline ContactOptions options(const Faces& f, double friction = 0.0) {
+  ContactOptions o;
+  o.penalty = 7.0;
+  o.formulation = f.formulation;
+  o.friction = friction;
+  o.enforcement = Enforcement::augmented_lagrangian;
+  return o;
+}
 
 /// n x n cells of `type` (triangles: two each) over the square [x0, x1]^2, z and all put right by
 /// `place`; the normal looks up, or down when `flip`.

@@ -7,37 +7,13 @@
 
 using namespace abut;
 using namespace abut::contact;
+using abut::contact::testing::all_faces;
 using abut::contact::testing::DualScene;
+using abut::contact::testing::Faces;
+using abut::contact::testing::options;
 using fem::FaceType;
 
 namespace {
-
-struct Faces {
-  FaceType primary, secondary;
-  Formulation formulation;
-};
-
-std::vector<Faces> all_faces() {
-  std::vector<Faces> list;
-  const FaceType pairs[][2] = {
-      {FaceType::quad4, FaceType::quad4}, {FaceType::quad4, FaceType::tri3},
-      {FaceType::tri3, FaceType::quad8},  {FaceType::quad8, FaceType::quad9},
-      {FaceType::quad9, FaceType::quad4}, {FaceType::tri6, FaceType::tri6}};
-  for (const auto& p : pairs)
-    for (Formulation f :
-         {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})
-      list.push_back({p[0], p[1], f});
-  return list;
-}
-
-ContactOptions options(const Faces& f, double friction = 0.0) {
-  ContactOptions o;
-  o.penalty = 7.0;
-  o.formulation = f.formulation;
-  o.friction = friction;
-  o.enforcement = Enforcement::augmented_lagrangian;
-  return o;
-}
 
 /// Largest difference of the tangent to central differences over its largest entry.
 double tangent_error(DualScene& s) {
