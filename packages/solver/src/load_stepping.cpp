@@ -51,6 +51,7 @@ LoadResult LoadStepping::run(NonlinearSystem& system, Vector& x, const StepCallb
       system.reject();
       Tpetra::deep_copy(x, converged);
       loop_.newton().linear().forget();
+      dt = t - result.t; // no longer than up to the end of the nominal step
       const bool smaller = dt * 0.5 >= options_.min_fraction * nominal * (1.0 - snap);
       if (!options_.adaptive || cuts >= options_.max_cuts || !smaller) {
         system.set_time(result.t);
@@ -96,13 +97,10 @@ LoadResult LoadStepping::run(NonlinearSystem& system, Vector& x, const StepCallb
 
 double LoadStepping::step_end(double t, double dt) const {
   const double nominal = options_.end / options_.steps;
-  const double end = t + dt;
-  const double whole = std::round(end / nominal);
-  const double grid =
+  const double whole = std::floor(t / nominal + snap) + 1.0;
+  const double next =
       whole >= options_.steps ? options_.end : options_.end * whole / options_.steps;
-  if (std::abs(end - grid) <= snap * nominal)
-    return grid;
-  return std::min(end, options_.end);
+  return t + dt < next - snap * nominal ? t + dt : next;
 }
 
 LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, double t,

@@ -5,6 +5,7 @@
 #include "dense_system.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <limits>
 
 namespace abut {
@@ -178,6 +179,22 @@ TEST(LoadStepping, GrowsAgainAfterACut) {
   ASSERT_TRUE(done.result.converged);
   EXPECT_EQ(done.result.counters.cut_backs, 4);
   EXPECT_EQ(done.steps.size(), 64u);
+}
+
+// What a user asked for at the end of a step must be there, cut or not.
+TEST(LoadStepping, MeetsEveryEndOfAStepAfterCuts) {
+  Slider system;
+  system.largest_step = 0.13;
+  TimeOptions time;
+  time.steps = 4;
+  const auto done = run(system, time);
+  ASSERT_TRUE(done.result.converged);
+  EXPECT_GT(done.result.counters.cut_backs, 0);
+  for (double end : {0.25, 0.5, 0.75, 1.0})
+    EXPECT_EQ(std::count_if(done.steps.begin(), done.steps.end(),
+                            [&](const auto& step) { return step.t == end; }),
+              1)
+        << end;
 }
 
 TEST(LoadStepping, GivesUpWithTheLastConvergedState) {
