@@ -7,16 +7,18 @@ namespace abut::solver {
 
 namespace {
 constexpr double loosest = 1e-3;        ///< tolerance of a solve that multipliers change after
-constexpr double share_of_change = 0.1; ///< of the last change of the multipliers
+constexpr double share_of_change = 0.1; ///< of the last change of the multipliers, and of its force
 } // namespace
 
 AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
                                            const IterationCallback& observer) {
   AugmentedResult result;
   const double finest = newton_.options().tolerance;
-  double tolerance = augment_ && newton_.options().inexact ? std::max(loosest, finest) : finest;
+  const bool inexact = augment_ && newton_.options().inexact;
+  EarlyEnd early;
+  early.tolerance = inexact ? loosest : 0.0;
   for (;;) {
-    result.solves.push_back(newton_.solve(system, x, observer, tolerance));
+    result.solves.push_back(newton_.solve(system, x, observer, early));
     const NewtonResult& solve = result.solves.back();
     result.iterations += solve.iterations;
     if (!solve.converged) {
@@ -30,15 +32,15 @@ AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
     if (!augment_)
       break;
     if (result.report.converged || result.report.stalled) {
-      if (tolerance <= finest)
+      if (early.tolerance <= finest)
         break;
-      tolerance = finest;
+      early.tolerance = 0.0;
       continue;
     }
     ++result.augmentations;
-    if (newton_.options().inexact)
-      tolerance =
-          std::clamp(share_of_change * result.report.change, finest, std::max(loosest, finest));
+    // A multiplier that grows before its force has moved anything would grow for nothing.
+    if (inexact)
+      early = {std::min(loosest, share_of_change * result.report.change), share_of_change};
   }
   result.converged = true;
   result.stalled = result.report.stalled && !result.report.converged;

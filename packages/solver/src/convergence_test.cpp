@@ -34,9 +34,11 @@ double relative_size(double residual, double reference) {
 } // namespace
 
 ConvergenceTest::ConvergenceTest(const NonlinearSystem& system, const LinearSolver& linear,
-                                 const NewtonOptions& options, IterationCallback observer)
-    : system_(system), linear_(linear), options_(options), observer_(std::move(observer)),
-      linear_at_start_(linear.total_iterations()), linear_before_(linear_at_start_) {}
+                                 const NewtonOptions& options, const EarlyEnd& early,
+                                 IterationCallback observer)
+    : system_(system), linear_(linear), options_(options), early_(early),
+      observer_(std::move(observer)), linear_at_start_(linear.total_iterations()),
+      linear_before_(linear_at_start_) {}
 
 NOX::StatusTest::StatusType ConvergenceTest::checkStatus(const NOX::Solver::Generic& solver,
                                                          NOX::StatusTest::CheckType) {
@@ -71,7 +73,9 @@ NOX::StatusTest::StatusType ConvergenceTest::judge() {
     reason_ = "The residual is not a finite number.";
     return NOX::StatusTest::Failed;
   }
-  if (residual <= options_.tolerance * reference_ && system_.settled())
+  const double early =
+      std::min(early_.tolerance * reference_, early_.reduction * residuals_.front());
+  if (residual <= std::max(options_.tolerance * reference_, early) && system_.settled())
     return NOX::StatusTest::Converged;
   if (diverges()) {
     reason_ = "Newton diverges: the residual grew from " + scientific(residuals_.front()) + " to " +

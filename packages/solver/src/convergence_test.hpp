@@ -13,7 +13,7 @@ namespace abut::solver {
 class ConvergenceTest : public NOX::StatusTest::Generic {
 public:
   ConvergenceTest(const NonlinearSystem& system, const LinearSolver& linear,
-                  const NewtonOptions& options, IterationCallback observer);
+                  const NewtonOptions& options, const EarlyEnd& early, IterationCallback observer);
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
                                           NOX::StatusTest::CheckType) override;
@@ -32,6 +32,7 @@ private:
   const NonlinearSystem& system_;
   const LinearSolver& linear_;
   const NewtonOptions& options_;
+  const EarlyEnd early_;
   IterationCallback observer_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::vector<double> residuals_;

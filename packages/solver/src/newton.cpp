@@ -68,9 +68,7 @@ NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options, double l
 }
 
 NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
-                                 const IterationCallback& observer, double tolerance) {
-  NewtonOptions options = options_;
-  options.tolerance = std::max(options.tolerance, tolerance);
+                                 const IterationCallback& observer, const EarlyEnd& early) {
   const auto model = make_thyra_model(system);
   const auto start = thyra_vector(*model, rcp(new Vector(x, Teuchos::Copy)));
   const RCP<Thyra::PreconditionerBase<double>> no_preconditioner;
@@ -78,8 +76,8 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(start), model, model->create_W_op(),
                                 make_solve_factory(linear_), no_preconditioner, no_factory));
-  const auto test = rcp(new ConvergenceTest(system, linear_, options, observer));
-  const auto solver = build_solver(group, test, nox_parameters(options, linear_tolerance_));
+  const auto test = rcp(new ConvergenceTest(system, linear_, options_, early, observer));
+  const auto solver = build_solver(group, test, nox_parameters(options_, linear_tolerance_));
   try {
     solver->solve();
   } catch (const char* e) {

@@ -34,6 +34,13 @@ struct NewtonResult {
   std::string reason;                   ///< one sentence when not converged
 };
 
+/// When a solve may end before the options' own tolerance: at |f|_2 <= tolerance * reference force
+/// and |f|_2 <= reduction * its first |f|_2.
+struct EarlyEnd {
+  double tolerance = 0.0; ///< [1]
+  double reduction = 1.0; ///< [1]
+};
+
 /// Newton's method (NOX) with a line search. Converged: |f|_2 <= tolerance * reference force, or f
 /// exactly zero.
 class NewtonSolver {
@@ -45,10 +52,9 @@ public:
   /// Solves system.residual(x) = 0 from x on, which is overwritten by the last iterate. The last
   /// residual of the system has then been evaluated at x. Not to converge within the iterations is
   /// a result; a SolveError of the system (where a shorter step does not cure it) or of the linear
-  /// solver is passed on, x is then not usable. `tolerance` instead of the options' own where it is
-  /// larger. Collective.
+  /// solver is passed on, x is then not usable. Collective.
   NewtonResult solve(NonlinearSystem& system, Vector& x, const IterationCallback& observer = {},
-                     double tolerance = 0.0);
+                     const EarlyEnd& early = {});
 
   LinearSolver& linear() { return linear_; }
   const NewtonOptions& options() const { return options_; }
