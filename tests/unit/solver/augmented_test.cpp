@@ -91,6 +91,29 @@ TEST_F(Augmented, ContractsByTheUzawaFactor) {
   EXPECT_NEAR(system.gather(*x)[1], stop.gap, 1e-11);
 }
 
+// Beside large forces elsewhere that of an augmentation is small; multipliers that grew again before
+// it has moved anything would grow for nothing.
+TEST_F(Augmented, MovesBetweenAugmentationsBesideLargeForces) {
+  system.reference = 5e3;
+  const auto augment = [&](int) {
+    const double force = contact_force();
+    AugmentReport report;
+    report.change = std::abs(force - stop.multiplier) / force;
+    report.converged = report.change < 1e-6;
+    if (!report.converged)
+      stop.multiplier = force;
+    return report;
+  };
+  ASSERT_TRUE(newton->options().inexact);
+  solver::AugmentedLagrangian loop(*newton, augment);
+  const auto result = loop.solve(system, *x);
+  ASSERT_TRUE(result.converged) << result.reason;
+  ASSERT_GT(result.augmentations, 5);
+  for (int i = 0; i <= result.augmentations; ++i)
+    EXPECT_EQ(result.solves[std::size_t(i)].iterations, 1) << i;
+  EXPECT_NEAR(stop.multiplier, stop.exact_force(), 1e-5 * stop.exact_force());
+}
+
 TEST_F(Augmented, TheCallbackCanBeReplaced) {
   solver::AugmentedLagrangian loop(*newton, [](int) { return AugmentReport{}; });
   EXPECT_EQ(loop.solve(system, *x).augmentations, 0);
