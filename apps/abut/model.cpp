@@ -195,8 +195,7 @@ void choose_sides(Model& m, const mesh::Surface& primary, const mesh::Surface& s
   } else if (sides.is_poor() && !options.two_pass) {
     m.warnings.push_back(fmt::format(
         "contact.{}: the primary '{}' is {:.3g} times as stiff as the secondary and its faces are "
-        "{:.3g} "
-        "times their size: pressures will oscillate. Swap primary and secondary, or give "
+        "{:.3g} times their size: pressures will oscillate. Swap primary and secondary, or give "
         "'primary_side: automatic'",
         options.name, options.primary, sides.stiffness, sides.size));
   }

@@ -71,21 +71,6 @@ DualLaw::DualLaw(const Comm& comm, const mesh::Surface& surface, const CornerSpa
   carried_converged_ = carried_;
 }
 
-/// take[a][b]: share of the function of corner a that corner b has; the identity unless nodes are
-/// merged. The others of the face share alike, so that no numbering decides.
-void DualLaw::merge(Local face, double (&take)[max_corners][max_corners]) const {
-  const int n = corners(face);
-  const Local* node = corner_nodes(face);
-  int keep = 0;
-  for (int a = 0; a < n; ++a)
-    keep += !nodes_[node[a]].merged;
-  for (int a = 0; a < n; ++a)
-    for (int b = 0; b < n; ++b)
-      take[a][b] = keep == 0 || !nodes_[node[a]].merged ? double(a == b)
-                   : nodes_[node[b]].merged             ? 0.0
-                                                        : 1.0 / keep;
-}
-
 /// The functions of this configuration, from which points have a partner.
 void DualLaw::cover(const std::vector<DualPoint>& points) {
   std::vector<double> covered(nodes_.size(), 0.0);
@@ -94,14 +79,18 @@ void DualLaw::cover(const std::vector<DualPoint>& points) {
       for (int a = 0; points[q].covered && a < corners(f); ++a)
         covered[corner_nodes(f)[a]] += area_[q] * corner_[std::size_t(q) * max_corners + a];
   space_.sum(covered);
+  std::vector<char> merged(nodes_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     nodes_[i].covered = covered[i];
-    nodes_[i].merged =
+    merged[i] =
         covered[i] < sliver * nodes_[i].full || (!prescribed_.empty() && prescribed_[i] != 0);
   }
   for (Local f = 0; f < surface_.num_faces(); ++f) {
     double take[max_corners][max_corners] = {};
-    merge(f, take);
+    for (int a = 0; a < corners(f); ++a) {
+      take[a][a] = 1.0;
+      space_.hand_on(f, merged, take[a]);
+    }
     std::copy_n(&take[0][0], max_corners * max_corners,
                 &take_[std::size_t(f) * max_corners * max_corners]);
     const Local first = first_point_[f], end = first_point_[f + 1];

@@ -37,7 +37,6 @@ struct DualNode {
                      ///< [pressure/length]
   double size = 0.0; ///< of its faces [length]
 
-  bool merged = false;  ///< its function is that of its neighbours now
   double covered = 0.0; ///< part of `full` that has a partner [length^2]
   double area = 0.0;    ///< A, weight of its function at covered points; 0: takes no part
   double penalty = 0.0, gap = 0.0; ///< weighted means
@@ -143,7 +142,6 @@ public:
 private:
   void cover(const std::vector<DualPoint>& points);
   void decide(DualNode& node, double friction, bool frozen) const;
-  void merge(Local face, double (&take)[max_corners][max_corners]) const;
 
   Comm comm_;
   const mesh::Surface& surface_;

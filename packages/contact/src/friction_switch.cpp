@@ -10,11 +10,6 @@ namespace {
 
 constexpr double law_tolerance = 1e-8; ///< of mu p, within which a traction is the return map's
 
-Vec3 slip_traction(const SlipLine& line, double limit, const Vec3& trial) {
-  const Vec3 across = trial - dot(line.direction, trial) * line.direction;
-  return limit * line.direction + line.turning * across;
-}
-
 Vec3 within(const Vec3& t, double limit) {
   const double size = norm(t);
   return size > limit ? (limit / size) * t : t;

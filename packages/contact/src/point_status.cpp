@@ -213,7 +213,7 @@ ShearChoice Interaction::switched(Local face, Local facing, const PointState& st
                               state.penalty);
   std::optional<bool> held;
   if (frozen_ && state.rule != PointRule::open && state.rule != PointRule::frictionless)
-    held = state.rule == PointRule::incremental_slip || state.rule == PointRule::inclined_slip;
+    held = state.rule != PointRule::incremental_stick && state.rule != PointRule::anchored;
   return choose_shear(state.last, trial, normal, friction_ * std::max(0.0, pressure), share, held);
 }
 

@@ -11,7 +11,7 @@
 /// linear there, gives the present traction t; t and the trial z, as a soft spring would see it,
 /// choose the status and the direction n of slip, and the law is made linear again. It ends where n
 /// is the direction of z, with the value and the derivative of the return map (Alart & Curnier
-/// 1991; Hueber, Stadler & Wohlmuth 2008; docs/theory/friction.md).
+/// 1991; Hueber, Stadler & Wohlmuth 2008; docs/theory/multipliers.md (M6), (M7)).
 namespace abut::contact {
 
 /// Slip made linear: t = mu p n + k (1 - n n) z. Without a direction: the return map itself.
@@ -20,6 +20,19 @@ struct SlipLine {
   double turning = 0.0;          ///< k, share of the trial across n [1]
   bool given() const { return dot(direction, direction) > 0.0; }
 };
+
+/// Its traction, limit: mu p [pressure].
+template <class T>
+KOKKOS_INLINE_FUNCTION Vec<T, 3> slip_traction(const SlipLine& line, const T& limit,
+                                               const Vec<T, 3>& trial) {
+  T along = T(0.0);
+  for (int i = 0; i < 3; ++i)
+    along += line.direction[i] * trial[i];
+  Vec<T, 3> t;
+  for (int i = 0; i < 3; ++i)
+    t[i] = limit * line.direction[i] + line.turning * (trial[i] - along * line.direction[i]);
+  return t;
+}
 
 /// What the last Newton iterate left.
 struct ShearIterate {

@@ -279,11 +279,10 @@ KOKKOS_INLINE_FUNCTION void partner_traction(const ContactPoint& c, const Primar
   if (c.rule == PointRule::incremental_stick) {
     result.traction += w;
   } else if (c.line.given()) {
-    const Vec<T, 3> n = plain<T>(c.line.direction);
-    result.traction +=
-        T(c.friction * result.pressure - c.line.turning * dot(n, w)) * n + c.line.turning * w;
-  } else
+    result.traction += slip_traction(c.line, T(c.friction * result.pressure), w);
+  } else {
     result.traction += T(c.friction * result.pressure / norm(w)) * w;
+  }
 }
 
 } // namespace detail
