@@ -77,7 +77,7 @@ class Incompressible(unittest.TestCase):
         errors, press = zip(*(error(displacement_element(nu), nu, 6, penalty_factor=100)
                               for nu in (0.3, 0.49, 0.4999)))
         print("displacement elements: " + " ".join(f"{e:.4f}" for e in errors))
-        self.assertEqual(press, (True, True, False))  # in the end some even pull away
+        self.assertFalse(press[-1])  # some points even come off
         self.assertLess(errors[0], 0.06)
         self.assertGreater(errors[1], 0.15)
         self.assertGreater(errors[2], 2.0)
