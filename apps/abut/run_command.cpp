@@ -106,7 +106,7 @@ int run(const RunOptions& options) {
   solver::NewtonOptions newton_options = m.deck.newton;
   for (const auto& c : m.contacts)
     newton_options.inexact = newton_options.inexact && c->options().friction == 0.0;
-  newton_options.inexact = newton_options.inexact && augments_in_steps(m);
+  newton_options.inexact = newton_options.inexact && augments_in_steps(m) && !may_tear(m);
   solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
   auto augment = make_augmentation(
       m, [&](int n, const auto& report) { progress.augmentation(n, report); },
