@@ -116,9 +116,10 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{18, "<Elements type=\"quad4\" name=\"lower\">",
                "m.feb:18: Mesh/Elements 'lower': elements of type 'quad4' are shells, which abut "
                "lacks; valid: hex8, hex20, hex27, tet4, tet10, penta6"},
-        Broken{38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" type=\"sticky\">",
-               "m.feb:38: Contact/contact 'touch': type 'sticky'; valid: sliding-node-on-facet, "
-               "sliding-facet-on-facet, sliding-elastic, tied-node-on-facet, tied-elastic"},
+        Broken{38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" type=\"stucky\">",
+               "m.feb:38: Contact/contact 'touch': type 'stucky'; valid: sliding-node-on-facet, "
+               "sliding-facet-on-facet, sliding-elastic, tied-node-on-facet, tied-facet-on-facet, "
+               "tied-elastic, sticky; did you mean 'sticky'?"},
         Broken{41, "<smooth_aug>1</smooth_aug>",
                "m.feb:41: Contact/contact/smooth_aug: multipliers from element stresses; abut "
                "smooths them by 'multipliers: smoothed'"},
