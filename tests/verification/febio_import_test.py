@@ -228,6 +228,32 @@ class Cubes(unittest.TestCase):
         for t, expected in ((1, pushed), (2, pushed), (3, pushed - 0.05), (4, -DOWN), (5, 0)):
             numpy.testing.assert_allclose(top[t], expected, rtol=0, atol=1e-8, err_msg=f"t = {t}")
 
+    def test_traction_per_current_area(self):
+        """With Poisson's ratio a pull on a free cube narrows the face that it acts on."""
+        traction = f'''<Loads><surface_load name="pull" surface="roof" type="traction">
+          <traction>0,0,4</traction>{{}}</surface_load></Loads>'''
+        roof = '<Surface name="roof"><quad4 id="1">50,60,70,80</quad4></Surface><SurfacePair'
+        planes = "".join(f'''<bc name="{axis}" node_set="side{axis}" type="zero displacement">
+          <{axis}_dof>1</{axis}_dof></bc>''' for axis in "xy")
+        sets = '<NodeSet name="sidex">10,40,50,80</NodeSet><NodeSet name="sidey">10,20,50,60</NodeSet>'
+        still = '''<bc name="still" node_set="upper" type="zero displacement">
+          <x_dof>1</x_dof><y_dof>1</y_dof><z_dof>1</z_dof></bc>'''
+        nu = 0.3
+        mu, lame = LOWER / (2 * (1 + nu)), LOWER * nu / ((1 + nu) * (1 - 2 * nu))
+        for linear in ("", "<linear>1</linear>"):
+            text = cubes(boundary=FLOOR + planes + still, more=traction.format(linear))
+            text = text.replace("<SurfacePair", roof, 1).replace("<v>0</v>", f"<v>{nu}</v>", 1)
+            text = text.replace("<NodeSet", sets + '<NodeSet name="upper">90:160:10</NodeSet><NodeSet', 1)
+            u = self.run_cubes(text).fields.vector("displacement")[6]  # the corner (1, 1, 1)
+            width, length = 1 + u[0], 1 + u[2]
+            j = width**2 * length
+            stress = (mu * (length**2 - 1) + lame * numpy.log(j)) / j
+            across = (mu * (width**2 - 1) + lame * numpy.log(j)) / j
+            with self.subTest(linear=linear):
+                self.assertLess(width, 0.95)
+                self.assertAlmostEqual(across, 0, delta=1e-8)
+                self.assertAlmostEqual(stress * (width**2 if linear else 1), 4, delta=1e-8)
+
     def test_rigid_body_lets_go(self):
         """Driven down, then free under a force, then stopped where it is, then moved from there."""
         fixed = "".join(f"<{d}_dof>1</{d}_dof>" for d in ("Rx", "Ry", "Ru", "Rv", "Rw"))

@@ -198,6 +198,7 @@ template <class V> void describe(V& v, solid::LoadOptions& o) {
   kind("traction", LoadKind::traction, [&] {
     v.required("traction", o.vector, "dead force per reference area", unit("pressure"));
     v.required("side_set", o.place, "where a traction or a pressure acts");
+    v.optional("current_area", o.current_area, "the traction is per current area instead");
   });
   kind("pressure", LoadKind::pressure, [&] {
     v.required("pressure", o.pressure, "per current area, follows the surface; > 0 pushes inwards",

@@ -301,6 +301,8 @@ private:
       FlowMap map;
       map.add(key, vector_text(vector));
       map.add(place_key, quoted(place));
+      if (l.current_area)
+        map.add("current_area", "true");
       map.add("curve", curves_.of(model_.course({1.0, curve, l.line}, l.step)).curve);
       const std::string unique = load_names_.make(name, "load");
       loads_ += "  " + unique + ": " + map.text() + comment(unique, l.name, "") + "\n";

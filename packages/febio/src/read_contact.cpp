@@ -56,7 +56,8 @@ void read_numbers(Element contact, Contact& c, const Parameter& p) {
 
 void refuse_smooth_aug(Element contact) {
   contact.expect("smooth_aug", 0,
-                 "multipliers from element stresses; abut smooths them by 'multipliers: smoothed'");
+                 "multipliers from the stresses of elements: set 0, and 'multipliers: smoothed' in "
+                 "the deck for smooth ones");
 }
 
 void read_node_on_facet(Element contact, Contact& c) {
@@ -130,6 +131,12 @@ void read_tied_elastic(Element contact, Contact& c) {
   contact.ignore({"knmult", "symmetric_stiffness"}, "abut takes the exact tangent");
 }
 
+/// FEBio scales the penalty with the number of augmentations where these ask for it.
+void expect_plain_penalty(Element contact) {
+  contact.expect("max_penalty_sf", 0, "abut's penalty does not grow with augmentations: set 0");
+  contact.ignore("penalty_sf", "has no effect while max_penalty_sf is 0");
+}
+
 void read_sliding(Element contact, Contact& c) {
   for (Parameter p : common) {
     if (c.type == "sliding-elastic" && std::string(p.name) == "tolerance")
@@ -160,6 +167,7 @@ void read_one(Element contact, Model& model) {
   const auto same = [&](const SurfacePair& p) { return p.name == c.pair; };
   if (std::none_of(model.mesh.pairs.begin(), model.mesh.pairs.end(), same))
     contact.fail("there is no <SurfacePair> '" + c.pair + "'");
+  expect_plain_penalty(contact);
   c.values["laugon"] = {read_augmentation(contact) ? 1.0 : 0.0, 0, contact.line()};
   if (c.type == "tied-node-on-facet" || c.type == "tied-facet-on-facet" || c.is_sticky())
     read_tied_to_closest(contact, c);

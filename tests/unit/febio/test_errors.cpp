@@ -121,11 +121,12 @@ INSTANTIATE_TEST_SUITE_P(
                "sliding-facet-on-facet, sliding-elastic, tied-node-on-facet, tied-facet-on-facet, "
                "tied-elastic, sticky; did you mean 'sticky'?"},
         Broken{41, "<smooth_aug>1</smooth_aug>",
-               "m.feb:41: Contact/contact/smooth_aug: multipliers from element stresses; abut "
-               "smooths them by 'multipliers: smoothed'"},
+               "m.feb:41: Contact/contact/smooth_aug: multipliers from the stresses of "
+               "elements: set 0, and 'multipliers: smoothed' in the deck for smooth ones"},
         Broken{41, "<two_pas>1</two_pas>",
                "m.feb:41: Contact/contact/two_pas: not supported here; did you mean 'two_pass'? "
-               "valid: laugon, tolerance, penalty, auto_penalty, two_pass, gaptol, minaug, maxaug, "
+               "valid: max_penalty_sf, penalty_sf, laugon, tolerance, penalty, auto_penalty, "
+               "two_pass, gaptol, minaug, maxaug, "
                "search_tol, seg_up, node_reloc, fric_coeff, search_radius, tension, offset, "
                "flip_primary, flip_secondary, knmult, symmetric_stiffness, update_penalty, "
                "shell_bottom_primary, shell_bottom_secondary, smooth_aug"},

@@ -131,6 +131,7 @@ struct Load {
   int line = 0;
   int step = -1;
   std::array<Value, 3> vector{}; ///< pressure in the first
+  bool current_area = false;     ///< of a traction
 };
 
 struct Contact {

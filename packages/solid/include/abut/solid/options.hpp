@@ -138,7 +138,7 @@ struct DisplacementOptions {
 };
 
 enum class LoadKind {
-  traction,   ///< dead force per reference area of a side set, vector
+  traction,   ///< dead force per area of a side set, vector
   pressure,   ///< follower pressure per current area of a side set, positive pushes inwards
   body_force, ///< dead force per reference volume of a block, vector
   force,      ///< dead force on each node of a node set, vector
@@ -149,8 +149,14 @@ struct LoadOptions {
   LoadKind kind = LoadKind::traction;
   std::string place; ///< side set, block or node set
   std::array<Amount, 3> vector{};
+  bool current_area = false; ///< a traction is per current area, instead of per reference area
   Amount pressure;
   std::string curve;
+
+  /// Whether forces depend on how the surface deforms.
+  bool follows_surface() const {
+    return kind == LoadKind::pressure || (kind == LoadKind::traction && current_area);
+  }
 };
 
 } // namespace abut::solid
