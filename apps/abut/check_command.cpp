@@ -29,6 +29,12 @@ private:
   bool active_;
 };
 
+/// " from t = 1 until t = 2"; empty for the whole run.
+std::string explain_window(const Window& window) {
+  return (window.from > 0.0 ? fmt::format(" from t = {:g}", window.from) : "") +
+         (window.until > 0.0 ? fmt::format(" until t = {:g}", window.until) : "");
+}
+
 /// What of a rigid body moves how. Collective.
 std::string explain_rigid(const Model& m, std::size_t body) {
   const solid::BodyOptions& options = m.deck.bodies[body];
@@ -42,9 +48,12 @@ std::string explain_rigid(const Model& m, std::size_t body) {
   for (std::size_t i = 0; i < 6; ++i)
     if (options.motion.free[i])
       free += std::string(" ") + (i < 3 ? "" : "r") + "xyz"[i % 3];
-  return fmt::format("{} nodes, {}", m.comm.sum(nodes),
-                     free.empty() ? "rigid obstacle with prescribed motion"
-                                  : "rigid body, free in" + free);
+  std::string held;
+  for (const solid::RigidHold& hold : options.motion.holds)
+    held += ", '" + hold.name + "' holds it" + explain_window(hold.window);
+  return fmt::format(
+      "{} nodes, {}{}", m.comm.sum(nodes),
+      free.empty() ? "rigid obstacle with prescribed motion" : "rigid body, free in" + free, held);
 }
 
 const char* name_of(solid::MaterialModel model) {
@@ -93,12 +102,6 @@ std::string explain_material(const solid::MaterialOptions& o) {
   if (!o.has_young())
     add("shear modulus at rest", o.shear_modulus());
   return text;
-}
-
-/// " from t = 1 until t = 2"; empty for the whole run.
-std::string explain_window(const Window& window) {
-  return (window.from > 0.0 ? fmt::format(" from t = {:g}", window.from) : "") +
-         (window.until > 0.0 ? fmt::format(" until t = {:g}", window.until) : "");
 }
 
 void explain_bodies(const Model& m, const Printer& print) {

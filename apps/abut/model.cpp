@@ -10,9 +10,9 @@
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
 #include "rigid_motion.hpp"
+#include "windows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <set>
@@ -249,28 +249,6 @@ void add_contact(Model& m, contact::ContactOptions options) {
   }
 }
 
-/// Steps know no times but their own ends.
-void warn_of_window(Model& m, const std::string& path, const Window& window) {
-  const auto& time = m.deck.time;
-  for (const double t : {window.from, window.until}) {
-    const double steps = t / time.end * time.steps;
-    if (t > 0.0 && t < time.end && std::abs(steps - std::round(steps)) > 1e-6)
-      m.warnings.push_back(fmt::format("{}: no step ends at t = {:g}; what begins or ends there "
-                                       "does so with the step that goes beyond",
-                                       path, t));
-  }
-}
-
-void warn_of_windows(Model& m) {
-  for (const auto& d : m.deck.displacements)
-    warn_of_window(m, "displacements." + d.name, d.window);
-  for (const auto& c : m.deck.contact)
-    warn_of_window(m, "contact." + c.name, c.window);
-  for (const auto& body : m.deck.bodies)
-    for (const auto& hold : body.motion.holds)
-      warn_of_window(m, "bodies." + body.name + ".rigid.holds." + hold.name, hold.window);
-}
-
 void add_equations(Model& m) {
   assembly::RigidNodes rigid{m.rigid_body_of_node, {}};
   for (const auto& body : m.rigid_bodies)
@@ -332,7 +310,8 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
   m->constraints = make_constraints(*m);
   for (const auto& options : m->deck.contact)
     add_contact(*m, options);
-  warn_of_windows(*m);
+  const std::vector<std::string> between = windows_between_steps(m->deck);
+  m->warnings.insert(m->warnings.end(), between.begin(), between.end());
   add_equations(*m);
   return m;
 }

@@ -9,6 +9,7 @@
 #include "supports.hpp"
 #include "tangent_check.hpp"
 #include "verify.hpp"
+#include "windows.hpp"
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
@@ -62,6 +63,16 @@ void print_verdicts(Progress& progress, const std::vector<Verdict>& verdicts) {
   for (const Verdict& v : verdicts)
     progress.line(fmt::format("verify {:<28} {:>14.7g}  expected {:>14.7g} +- {:.2g}  {}", v.name,
                               v.value, v.expected, v.tolerance, v.ok ? "ok" : "FAILED"));
+}
+
+/// What may be the reason for a step that fails right after t.
+std::string changes_at(const Model& m, double t) {
+  std::string list;
+  for (const std::string& path : windows_at(m.deck, t))
+    list += (list.empty() ? "" : ", ") + path;
+  return list.empty() ? ""
+                      : "\nThere begins or ends: " + list +
+                            ". What is let go must be held by something else, or balance itself";
 }
 
 int run(const RunOptions& options) {
@@ -163,8 +174,8 @@ int run(const RunOptions& options) {
                               facts.wall_seconds, writer.path()));
   else if (comm.is_root())
     fmt::print(stderr,
-               "abut: stopped at t = {:.6g} of {:.6g}: {}\nEverything up to there is in {}\n",
-               result.t, m.deck.time.end, result.reason, writer.path());
+               "abut: stopped at t = {:.6g} of {:.6g}: {}{}\nEverything up to there is in {}\n",
+               result.t, m.deck.time.end, result.reason, changes_at(m, result.t), writer.path());
   return result.converged ? 0 : 1;
 }
 

@@ -254,6 +254,16 @@ class Cubes(unittest.TestCase):
                 self.assertAlmostEqual(across, 0, delta=1e-8)
                 self.assertAlmostEqual(stress * (width**2 if linear else 1), 4, delta=1e-8)
 
+    def test_what_nothing_holds_any_more(self):
+        """The upper cube flies off; the message names what has let it go."""
+        deck = self.imported(cubes(
+            control=f"<Step><step>{CONTROL}<Boundary>{PRESS}</Boundary></step><step>{CONTROL}</step></Step>",
+            boundary=SIDEWAYS + FLOOR))
+        result = scenes.run(deck, files=[self.folder / "cubes.exo"], check=False)
+        self.assertEqual(result.status, 1)
+        self.assertIn("stopped at t = 1 of 2", result.output)
+        self.assertIn("There begins or ends: displacements.press.", result.output)
+
     def test_rigid_body_lets_go(self):
         """Driven down, then free under a force, then stopped where it is, then moved from there."""
         fixed = "".join(f"<{d}_dof>1</{d}_dof>" for d in ("Rx", "Ry", "Ru", "Rv", "Rw"))
