@@ -53,28 +53,4 @@ void EquationSystem::apply_constraints(Vector& x) const {
         view(static_cast<std::size_t>(c.row), 0) = c.at(time_);
 }
 
-void EquationSystem::predictor(const Vector& x, Vector& rhs) {
-  tangent(x);
-  Vector jump(dofs_.map());
-  jump.assign(x);
-  apply_constraints(jump);
-  jump.update(-1.0, x, 1.0); // change of the constrained unknowns, zero elsewhere
-  const RCP<const Vector> columns = column_values(jump);
-  residual(x, rhs);
-  const auto local = matrix_->getLocalMatrixHost();
-  const auto dx = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto own = jump.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto r = rhs.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (Local i = 0; i < local.numRows(); ++i) {
-    double lift = 0.0, diagonal = 0.0;
-    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k) {
-      const Local j = local.graph.entries(k);
-      lift += raw_values_[k] * dx(j, 0);
-      if (i == j)
-        diagonal = local.values(k);
-    }
-    r(i, 0) = constrained_[i] ? diagonal * own(i, 0) : -r(i, 0) - lift;
-  }
-}
-
 } // namespace abut::assembly

@@ -52,7 +52,7 @@ bool EquationSystem::symmetric() const {
 }
 
 NodalFields EquationSystem::fields() const {
-  return {u_.data(), dofs_.fields(), time_};
+  return {u_.data(), dofs_.fields(), time_, predicting_};
 }
 
 std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
@@ -165,6 +165,8 @@ void EquationSystem::assemble_residual(bool internal, std::vector<double>& buffe
 }
 
 void EquationSystem::residual(const Vector& x, Vector& f) {
+  if (predicted_)
+    prepared_ = predicted_ = false; // what was made for the prediction holds no longer
   prepare(x);
   if (last_.is_null())
     last_ = rcp(new Vector(dofs_.map()));
@@ -323,6 +325,34 @@ void EquationSystem::copy_constrained(Matrix& matrix) const {
       if (local.graph.entries(k) == i)
         local.values(k) = diagonal;
   }
+}
+
+void EquationSystem::predictor(const Vector& x, Vector& rhs) {
+  predicting_ = true;
+  prepared_ = false;
+  tangent(x);
+  Vector jump(dofs_.map());
+  jump.assign(x);
+  apply_constraints(jump);
+  jump.update(-1.0, x, 1.0); // change of the constrained unknowns, zero elsewhere
+  const RCP<const Vector> columns = column_values(jump);
+  residual(x, rhs);
+  const auto local = matrix_->getLocalMatrixHost();
+  const auto dx = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto own = jump.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto r = rhs.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (Local i = 0; i < local.numRows(); ++i) {
+    double lift = 0.0, diagonal = 0.0;
+    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k) {
+      const Local j = local.graph.entries(k);
+      lift += raw_values_[k] * dx(j, 0);
+      if (i == j)
+        diagonal = local.values(k);
+    }
+    r(i, 0) = constrained_[i] ? diagonal * own(i, 0) : -r(i, 0) - lift;
+  }
+  predicting_ = false;
+  predicted_ = true;
 }
 
 void EquationSystem::accept(const Vector& x) {

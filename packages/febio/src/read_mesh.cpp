@@ -289,10 +289,11 @@ void refuse_structures(Element section, Model& model) {
     for (Element part : section.children(kind)) {
       const std::string name = part.required_attribute("name");
       const bool rigid = part.attribute_or("type", "").compare(0, 5, "rigid") == 0;
-      part.refuse(rigid ? "abut has solid elements alone: extrude the shell to hex8 or penta6 of the "
-                          "rigid material"
-                        : "abut has solid elements alone: extrude the shell to hex8, hex20 or "
-                          "penta6, several across the thickness where it bends");
+      part.refuse(rigid
+                      ? "abut has solid elements alone: extrude the shell to hex8 or penta6 of the "
+                        "rigid material"
+                      : "abut has solid elements alone: extrude the shell to hex8, hex20 or "
+                        "penta6, several across the thickness where it bends");
       for (Domain& d : model.mesh.domains)
         if (d.name == name && d.material.empty())
           d.material = part.required_attribute("mat");

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convergence_test.hpp"
 
+#include "abut/core/trilinos.hpp"
 #include "abut/solver/linear_solver.hpp"
 #include "abut/solver/nonlinear_system.hpp"
+#include "thyra_model.hpp"
 
 #include <NOX_Abstract_Group.H>
+#include <NOX_Abstract_Vector.H>
 #include <NOX_Solver_LineSearchBased.H>
+#include <NOX_Thyra_Vector.H>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -19,6 +23,8 @@ constexpr int divergence_iterations = 3;
 constexpr int longest_cycle = 4;
 constexpr double cycle_tolerance = 1e-9; ///< relative difference of residuals that repeat
 constexpr int stagnation_window = 4;
+constexpr int short_steps = 6; ///< in a row, without any gain: the direction leads nowhere
+constexpr double short_step = 0.5;
 
 std::string scientific(double x) {
   std::ostringstream text;
@@ -35,16 +41,17 @@ double relative_size(double residual, double reference) {
 
 ConvergenceTest::ConvergenceTest(const NonlinearSystem& system, const LinearSolver& linear,
                                  const NewtonOptions& options, const EarlyEnd& early,
-                                 IterationCallback observer)
-    : system_(system), linear_(linear), options_(options), early_(early),
-      observer_(std::move(observer)), linear_at_start_(linear.total_iterations()),
-      linear_before_(linear_at_start_) {}
+                                 const IncrementScale& scale, IterationCallback observer)
+    : system_(system), linear_(linear), options_(options), early_(early), start_(scale.start),
+      observer_(std::move(observer)), largest_work_(scale.work),
+      linear_at_start_(linear.total_iterations()), linear_before_(linear_at_start_) {}
 
 NOX::StatusTest::StatusType ConvergenceTest::checkStatus(const NOX::Solver::Generic& solver,
                                                          NOX::StatusTest::CheckType) {
   if (static_cast<int>(residuals_.size()) == solver.getNumIterations() + 1)
     return status_;
   record(solver);
+  measure_correction(solver);
   return status_ = judge();
 }
 
@@ -61,10 +68,34 @@ void ConvergenceTest::record(const NOX::Solver::Generic& solver) {
   const auto* stepped = dynamic_cast<const NOX::Solver::LineSearchBased*>(&solver);
   if (report.iteration > 0)
     report.step_length = stepped ? stepped->getStepSize() : 1.0;
+  step_lengths_.push_back(report.step_length);
   report.linear_iterations = static_cast<int>(linear_.total_iterations() - linear_before_);
   linear_before_ = linear_.total_iterations();
   if (observer_)
     observer_(report);
+}
+
+void ConvergenceTest::measure_correction(const NOX::Solver::Generic& solver) {
+  if (options_.displacement_tolerance <= 0.0 || residuals_.size() < 2)
+    return;
+  const auto values = [](const NOX::Abstract::Vector& v) {
+    return tpetra_vector(dynamic_cast<const NOX::Thyra::Vector&>(v).getThyraRCPVector());
+  };
+  const auto &old = solver.getPreviousSolutionGroup(), &now = solver.getSolutionGroup();
+  const auto x = values(now.getX());
+  Vector difference(*x, Teuchos::Copy);
+  difference.update(-1.0, start_, 1.0);
+  increment_ = difference.norm2();
+  difference.update(1.0, *x, -1.0, *values(old.getX()), 0.0);
+  correction_ = difference.norm2();
+  largest_work_ = std::max(largest_work_, std::abs(difference.dot(*values(old.getF()))));
+  work_left_ = std::abs(difference.dot(*values(now.getF())));
+}
+
+bool ConvergenceTest::small_correction() const {
+  return options_.displacement_tolerance > 0.0 && residuals_.size() > 1 &&
+         correction_ <= options_.displacement_tolerance * increment_ &&
+         work_left_ <= options_.energy_tolerance * largest_work_;
 }
 
 NOX::StatusTest::StatusType ConvergenceTest::judge() {
@@ -75,7 +106,8 @@ NOX::StatusTest::StatusType ConvergenceTest::judge() {
   }
   const double early =
       std::min(early_.tolerance * reference_, early_.reduction * residuals_.front());
-  if (residual <= std::max(options_.tolerance * reference_, early) && system_.settled())
+  const bool small = residual <= std::max(options_.tolerance * reference_, early);
+  if ((small || small_correction()) && system_.settled())
     return NOX::StatusTest::Converged;
   if (diverges()) {
     reason_ = "Newton diverges: the residual grew from " + scientific(residuals_.front()) + " to " +
@@ -86,6 +118,12 @@ NOX::StatusTest::StatusType ConvergenceTest::judge() {
     reason_ = length == 1 ? "Newton stagnates at a relative residual of " +
                                 scientific(relative_size(residual, reference_)) + "."
                           : "Newton repeats a cycle of " + std::to_string(length) + " iterates.";
+    return NOX::StatusTest::Failed;
+  }
+  if (no_headway()) {
+    reason_ = "Newton makes no headway: " + std::to_string(short_steps) +
+              " short steps, and a relative residual of " +
+              scientific(relative_size(residual, reference_)) + ".";
     return NOX::StatusTest::Failed;
   }
   if (static_cast<int>(residuals_.size()) > options_.max_iterations) {
@@ -102,6 +140,13 @@ bool ConvergenceTest::diverges() const {
   const double bound = divergence * std::max(residuals_.front(), first_reference_);
   return std::all_of(residuals_.end() - divergence_iterations, residuals_.end(),
                      [&](double r) { return r > bound; });
+}
+
+bool ConvergenceTest::no_headway() const {
+  return static_cast<int>(residuals_.size()) > short_steps &&
+         residuals_.back() >= residuals_.front() &&
+         std::all_of(step_lengths_.end() - short_steps, step_lengths_.end(),
+                     [](double s) { return s <= short_step; });
 }
 
 int ConvergenceTest::cycle_length() const {
