@@ -29,6 +29,12 @@ private:
   bool active_;
 };
 
+/// " from t = 1 until t = 2"; empty for the whole run.
+std::string explain_window(const Window& window) {
+  return (window.from > 0.0 ? fmt::format(" from t = {:g}", window.from) : "") +
+         (window.until > 0.0 ? fmt::format(" until t = {:g}", window.until) : "");
+}
+
 /// What of a rigid body moves how. Collective.
 std::string explain_rigid(const Model& m, std::size_t body) {
   const solid::BodyOptions& options = m.deck.bodies[body];
@@ -42,9 +48,60 @@ std::string explain_rigid(const Model& m, std::size_t body) {
   for (std::size_t i = 0; i < 6; ++i)
     if (options.motion.free[i])
       free += std::string(" ") + (i < 3 ? "" : "r") + "xyz"[i % 3];
-  return fmt::format("{} nodes, {}", m.comm.sum(nodes),
-                     free.empty() ? "rigid obstacle with prescribed motion"
-                                  : "rigid body, free in" + free);
+  std::string held;
+  for (const solid::RigidHold& hold : options.motion.holds)
+    held += ", '" + hold.name + "' holds it" + explain_window(hold.window);
+  return fmt::format(
+      "{} nodes, {}{}", m.comm.sum(nodes),
+      free.empty() ? "rigid obstacle with prescribed motion" : "rigid body, free in" + free, held);
+}
+
+const char* name_of(solid::MaterialModel model) {
+  using solid::MaterialModel;
+  switch (model) {
+  case MaterialModel::neo_hookean:
+    return "neo-Hookean";
+  case MaterialModel::linear_elastic:
+    return "linear elastic";
+  case MaterialModel::saint_venant_kirchhoff:
+    return "Saint Venant-Kirchhoff";
+  case MaterialModel::holmes_mow:
+    return "Holmes-Mow";
+  case MaterialModel::mooney_rivlin:
+    return "Mooney-Rivlin";
+  case MaterialModel::ogden:
+    return "Ogden";
+  case MaterialModel::ogden_unconstrained:
+    return "Ogden unconstrained";
+  }
+  return "";
+}
+
+std::string explain_material(const solid::MaterialOptions& o) {
+  using solid::MaterialModel;
+  std::string text = name_of(o.model);
+  const auto add = [&](const char* what, double value) {
+    text += fmt::format(", {} {:g}", what, value);
+  };
+  if (o.has_young()) {
+    add("Young", o.young);
+    add("Poisson", o.poisson);
+  }
+  if (o.model == MaterialModel::holmes_mow)
+    add("beta", o.beta);
+  if (o.model == MaterialModel::mooney_rivlin) {
+    add("c1", o.c1);
+    add("c2", o.c2);
+  }
+  for (std::size_t i = 0; o.has_ogden_terms() && i < o.coefficients.size(); ++i)
+    text += fmt::format(", c {:g} with m {:g}", o.coefficients[i], o.exponents[i]);
+  if (o.model == MaterialModel::ogden_unconstrained)
+    add("lambda", o.lambda);
+  if (o.is_uncoupled())
+    add("bulk", o.bulk);
+  if (!o.has_young())
+    add("shear modulus at rest", o.shear_modulus());
+  return text;
 }
 
 void explain_bodies(const Model& m, const Printer& print) {
@@ -67,9 +124,7 @@ void explain_bodies(const Model& m, const Printer& print) {
           body.rigid ? explain_rigid(m, i) : "material " + body.material);
   }
   for (const auto& material : m.deck.materials)
-    print("material {}: {}, Young {:g}, Poisson {:g}", material.name,
-          material.model == solid::MaterialModel::neo_hookean ? "neo-Hookean" : "linear elastic",
-          material.young, material.poisson);
+    print("material {}: {}", material.name, explain_material(material));
 }
 
 void explain_supports(const Model& m, const Printer& print) {
@@ -84,7 +139,8 @@ void explain_supports(const Model& m, const Printer& print) {
         parts += fmt::format(" {} = {}", "xyz"[i],
                              d.values[i].function ? d.values[i].expression
                                                   : fmt::format("{:g}", d.values[i].number));
-    print("  {}: {} nodes of '{}',{}", d.name, m.comm.sum(nodes), d.set, parts);
+    print("  {}: {} nodes of '{}',{}{}{}", d.name, m.comm.sum(nodes), d.set, parts,
+          d.relative ? ", relative" : "", explain_window(d.window));
   }
   const auto free = free_pieces(m);
   if (free.empty())
@@ -105,8 +161,10 @@ Global duplicate_faces(const Model& m, const mesh::Surface& s) {
 void explain_contact(const Model& m, const Printer& print) {
   for (const auto& c : m.contacts) {
     const contact::ContactSummary s = c->summary();
-    print("contact {}: '{}' on '{}', {} points", c->name(), c->options().primary,
-          c->options().secondary, s.points);
+    print("contact {}: '{}' on '{}', {} points{}", c->name(), c->options().primary,
+          c->options().secondary, s.points, explain_window(c->options().window));
+    if (!c->acts())
+      continue;
     if (s.paired_points > 0)
       print("  {} points have a partner within reach, gap from {:.4g} to {:.4g}", s.paired_points,
             s.min_gap, s.max_gap);

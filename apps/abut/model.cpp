@@ -10,6 +10,7 @@
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
 #include "rigid_motion.hpp"
+#include "windows.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -137,7 +138,7 @@ std::function<double(double)> history(const solid::Amount& amount, const Vec3& p
 
 std::vector<assembly::Constraint> make_constraints(const Model& m) {
   std::vector<assembly::Constraint> result;
-  std::map<std::pair<Local, int>, std::string> given;
+  std::map<std::pair<Local, int>, std::vector<Window>> given;
   for (const auto& d : m.deck.displacements) {
     const auto curve = given_curve(m.deck, d.curve);
     for (Local n : nodes_of_set(*m.mesh, d.set)) {
@@ -146,10 +147,13 @@ std::vector<assembly::Constraint> make_constraints(const Model& m) {
       for (int i = 0; i < 3; ++i) {
         if (!d.components[std::size_t(i)])
           continue;
-        if (!given.try_emplace({n, i}, d.name).second)
-          continue; // the first one named holds
+        std::vector<Window>& windows = given[{n, i}];
+        if (std::find(windows.begin(), windows.end(), d.window) != windows.end())
+          continue; // the same is prescribed already
+        windows.push_back(d.window);
         const double* x = m.mesh->x.data() + 3 * std::size_t(n);
-        result.push_back({n, i, history(d.values[std::size_t(i)], {{x[0], x[1], x[2]}}, curve)});
+        result.push_back({n, i, history(d.values[std::size_t(i)], {{x[0], x[1], x[2]}}, curve),
+                          d.window, d.relative});
       }
     }
   }
@@ -158,28 +162,37 @@ std::vector<assembly::Constraint> make_constraints(const Model& m) {
 
 /// Two entries that prescribe one unknown differently would silently drop one of them.
 void check_conflicts(const Model& m) {
-  std::map<std::pair<Local, int>, const solid::DisplacementOptions*> given;
+  const auto agree = [](const auto& d, const auto& other, std::size_t i) {
+    if (!d.window.overlaps(other.window))
+      return true;
+    const solid::Amount &a = d.values[i], &b = other.values[i];
+    const bool same_start =
+        d.relative == other.relative && (!d.relative || d.window.from == other.window.from);
+    return same_start && a == b && (a == solid::Amount() || d.curve == other.curve);
+  };
+  std::map<std::pair<Local, int>, std::vector<const solid::DisplacementOptions*>> given;
   for (const auto& d : m.deck.displacements)
     for (Local n : nodes_of_set(*m.mesh, d.set))
       for (int i = 0; i < 3; ++i) {
         if (!d.components[std::size_t(i)])
           continue;
-        const auto [it, is_new] = given.try_emplace({n, i}, &d);
-        const auto& other = *it->second;
-        const solid::Amount &a = d.values[std::size_t(i)], &b = other.values[std::size_t(i)];
-        if (is_new || (a == b && (a == solid::Amount() || d.curve == other.curve)))
-          continue;
-        throw InputError(m.deck.where("displacements." + d.name) + ": node " +
-                         std::to_string(m.mesh->node_id[n]) + " has its " + "xyz"[i] +
-                         " displacement prescribed differently by '" + other.name + "'");
+        auto& others = given[{n, i}];
+        for (const auto* other : others)
+          if (!agree(d, *other, std::size_t(i)))
+            throw InputError(m.deck.where("displacements." + d.name) + ": node " +
+                             std::to_string(m.mesh->node_id[n]) + " has its " + "xyz"[i] +
+                             " displacement prescribed differently by '" + other->name + "'");
+        others.push_back(&d);
       }
 }
 
-/// For each node of a surface bits 1, 2, 4 where its displacement along x, y, z is prescribed.
+/// For each node of a surface bits 1, 2, 4 where its displacement along x, y, z is prescribed all
+/// the time.
 std::vector<char> prescribed_directions(const Model& m, const mesh::Surface& surface) {
   std::vector<char> of_node(static_cast<std::size_t>(m.mesh->num_local()), 0), result;
   for (const assembly::Constraint& c : m.constraints)
-    of_node[std::size_t(c.node)] = static_cast<char>(of_node[std::size_t(c.node)] | 1 << c.field);
+    if (c.window.is_whole_run())
+      of_node[std::size_t(c.node)] = static_cast<char>(of_node[std::size_t(c.node)] | 1 << c.field);
   for (Local i : surface.field_index)
     result.push_back(of_node[std::size_t(i)]);
   return result;
@@ -297,6 +310,8 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
   m->constraints = make_constraints(*m);
   for (const auto& options : m->deck.contact)
     add_contact(*m, options);
+  const std::vector<std::string> between = windows_between_steps(m->deck);
+  m->warnings.insert(m->warnings.end(), between.begin(), between.end());
   add_equations(*m);
   return m;
 }

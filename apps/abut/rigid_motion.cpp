@@ -116,6 +116,15 @@ std::vector<assembly::RigidBody> rigid_bodies(const Model& m) {
       if (!motion.free[i])
         body.prescribed[i] = [curve, value](double t) { return value * curve(t); };
     }
+    for (const solid::RigidHold& hold : motion.holds)
+      for (int i = 0; i < 6; ++i) {
+        if (!hold.components[std::size_t(i)])
+          continue;
+        const deck::Curve curve = m.deck.curve(hold.curve);
+        const double value = hold.values[std::size_t(i)];
+        body.holds.push_back(
+            {i, [curve, value](double t) { return value * curve(t); }, hold.window, hold.relative});
+      }
     for (int i = 0; i < 3; ++i) {
       body.center[i] = motion.center[std::size_t(i)];
       body.force[i] = motion.force[std::size_t(i)];

@@ -9,6 +9,7 @@
 #include "supports.hpp"
 #include "tangent_check.hpp"
 #include "verify.hpp"
+#include "windows.hpp"
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
@@ -64,6 +65,16 @@ void print_verdicts(Progress& progress, const std::vector<Verdict>& verdicts) {
                               v.value, v.expected, v.tolerance, v.ok ? "ok" : "FAILED"));
 }
 
+/// What may be the reason for a step that fails right after t.
+std::string changes_at(const Model& m, double t) {
+  std::string list;
+  for (const std::string& path : windows_at(m.deck, t))
+    list += (list.empty() ? "" : ", ") + path;
+  return list.empty() ? ""
+                      : "\nThere begins or ends: " + list +
+                            ". What is let go must be held by something else, or balance itself";
+}
+
 int run(const RunOptions& options) {
   const Comm comm(MPI_COMM_WORLD);
   const auto start = std::chrono::steady_clock::now();
@@ -106,7 +117,7 @@ int run(const RunOptions& options) {
   solver::NewtonOptions newton_options = m.deck.newton;
   for (const auto& c : m.contacts)
     newton_options.inexact = newton_options.inexact && c->options().friction == 0.0;
-  newton_options.inexact = newton_options.inexact && augments_in_steps(m);
+  newton_options.inexact = newton_options.inexact && augments_in_steps(m) && !may_tear(m);
   solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
   auto augment = make_augmentation(
       m, [&](int n, const auto& report) { progress.augmentation(n, report); },
@@ -163,8 +174,8 @@ int run(const RunOptions& options) {
                               facts.wall_seconds, writer.path()));
   else if (comm.is_root())
     fmt::print(stderr,
-               "abut: stopped at t = {:.6g} of {:.6g}: {}\nEverything up to there is in {}\n",
-               result.t, m.deck.time.end, result.reason, writer.path());
+               "abut: stopped at t = {:.6g} of {:.6g}: {}{}\nEverything up to there is in {}\n",
+               result.t, m.deck.time.end, result.reason, changes_at(m, result.t), writer.path());
   return result.converged ? 0 : 1;
 }
 

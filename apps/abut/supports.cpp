@@ -298,19 +298,30 @@ private:
       add({{piece, row(direction, x, pieces_[piece])}});
   }
 
-  /// Prescribed displacements, and prescribed components of bodies.
+  /// Displacements and components of bodies that are prescribed in the first step.
   void prescribed() {
+    const double first = m_.deck.time.end / m_.deck.time.steps;
     for (const assembly::Constraint& c : m_.constraints)
-      hold(mover(c.node), unit(c.field), position(*m_.mesh, c.node));
+      if (c.window.holds(first))
+        hold(mover(c.node), unit(c.field), position(*m_.mesh, c.node));
     if (!m_.comm.is_root())
       return;
-    for (std::size_t b = 0; b < m_.rigid_bodies.size(); ++b)
+    for (std::size_t b = 0; b < m_.rigid_bodies.size(); ++b) {
+      if (piece_of_body_[b] == none)
+        continue;
+      const assembly::RigidBody& body = m_.rigid_bodies[b];
       for (std::size_t i = 0; i < 6; ++i)
-        if (piece_of_body_[b] != none && m_.rigid_bodies[b].prescribed[i]) {
-          Mode component{};
-          component[i] = 1.0;
-          add({{piece_of_body_[b], component}});
-        }
+        if (body.prescribed[i])
+          hold_component(b, i);
+      for (const assembly::RigidHold& held : body.holds)
+        if (held.window.holds(first))
+          hold_component(b, static_cast<std::size_t>(held.component));
+    }
+  }
+  void hold_component(std::size_t body, std::size_t i) {
+    Mode component{};
+    component[i] = 1.0;
+    add({{piece_of_body_[body], component}});
   }
 
   /// Nodes of a deformable piece that a rigid body moves: both move alike there.

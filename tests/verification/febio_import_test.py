@@ -70,14 +70,16 @@ def root(function):
     return low
 
 
+def stretched(modulus, p):
+    """Stretch of a cube under nominal stress p."""
+    return p / modulus + (1 + (p / modulus)**2)**0.5
+
+
 def pressed(penalty=FACTOR * (LOWER + UPPER)):
     """Displacements along z of the lower and the upper face in contact; A/V is 1, and FEBio's two passes
     add up."""
-    def stretch(modulus, p):
-        return -p / modulus + (1 + (p / modulus)**2)**0.5
-
-    p = root(lambda p: stretch(LOWER, p) + stretch(UPPER, p) - p / penalty - 2 + DOWN)
-    return stretch(LOWER, p) - 1, 1 - DOWN - stretch(UPPER, p)
+    p = root(lambda p: stretched(LOWER, -p) + stretched(UPPER, -p) - p / penalty - 2 + DOWN)
+    return stretched(LOWER, -p) - 1, 1 - DOWN - stretched(UPPER, -p)
 
 
 class Cubes(unittest.TestCase):
@@ -93,10 +95,12 @@ class Cubes(unittest.TestCase):
         self.assertEqual(status, 0, output)
         return self.folder / "cubes.yaml"
 
-    def run_cubes(self, text):
+    def run_cubes(self, text, check=True):
+        """With abut's own test of convergence, and a sharp one."""
         deck = self.imported(text)
-        deck.write_text(deck.read_text() + "newton: {tolerance: 1e-11}\n")
-        return scenes.run(deck, files=[self.folder / "cubes.exo"])
+        lines = [line for line in deck.read_text().splitlines() if not line.startswith("newton:")]
+        deck.write_text("\n".join(lines) + "\nnewton: {tolerance: 1e-11}\n")
+        return scenes.run(deck, files=[self.folder / "cubes.exo"], check=check)
 
     def expect_pressed(self, uz):
         below, above = pressed()
@@ -138,19 +142,154 @@ class Cubes(unittest.TestCase):
         penalty, up = 50.0, 0.2
         pull = PRESS.replace(f"{-DOWN}", f"{up}")
 
-        def stretch(modulus, p):
-            return p / modulus + (1 + (p / modulus)**2)**0.5
-
-        p = root(lambda p: stretch(LOWER, p) + stretch(UPPER, p) + p / penalty - 2 - up)
+        p = root(lambda p: stretched(LOWER, p) + stretched(UPPER, p) + p / penalty - 2 - up)
         for kind in ("tied-node-on-facet", "tied-elastic"):
             tie = f'''<Contact><contact name="tie" surface_pair="pair" type="{kind}">
               <penalty>{penalty}</penalty></contact></Contact>'''
             with self.subTest(kind):
                 fields = self.run_cubes(cubes(boundary=SIDEWAYS + FLOOR + pull, more=tie)).fields
                 uz = fields.nodal("displacement_z")
-                numpy.testing.assert_allclose(uz[LOWER_TOP], stretch(LOWER, p) - 1, rtol=0, atol=1e-10)
-                numpy.testing.assert_allclose(uz[UPPER_BOTTOM], 1 + up - stretch(UPPER, p), rtol=0,
+                numpy.testing.assert_allclose(uz[LOWER_TOP], stretched(LOWER, p) - 1, rtol=0, atol=1e-10)
+                numpy.testing.assert_allclose(uz[UPPER_BOTTOM], 1 + up - stretched(UPPER, p), rtol=0,
                                               atol=1e-10)
+
+    def test_tie_of_the_second_step(self):
+        """The upper cube sinks into the lower one, is tied to it there and pulled up again."""
+        penalty, up = 50.0, 0.15
+        late = """<load_controller id="2" type="loadcurve"><points><pt>1,0</pt><pt>2,1</pt></points>
+          </load_controller></LoadData>"""
+        pull = f'''<Boundary><bc name="pull" node_set="top" type="prescribed displacement"><dof>z</dof>
+          <value lc="2">{up}</value><relative>1</relative></bc></Boundary>'''
+        for name, rules, spring in (
+                ("penalty", f"<penalty>{penalty}</penalty>", 1 / penalty),
+                ("multipliers", "<laugon>AUGLAG</laugon><tolerance>1e-9</tolerance><maxaug>100</maxaug>"
+                 f"<penalty>{penalty}</penalty>", 0.0)):
+            for kind in ("tied-node-on-facet", "tied-elastic", "tied-facet-on-facet"):
+                tie = f'''<Contact><contact name="tie" surface_pair="pair" type="{kind}">{rules}
+                  </contact></Contact>'''
+                with self.subTest(kind=kind, rules=name):
+                    text = cubes(boundary=SIDEWAYS + FLOOR, more="", control=f"""<Step>
+                      <step>{CONTROL}<Boundary>{PRESS}</Boundary></step>
+                      <step>{CONTROL}{pull}{tie}</step></Step>""")
+                    fields = self.run_cubes(text.replace("</LoadData>", late)).fields
+                    before = fields.nodal("displacement_z", list(fields.times).index(1.0))
+                    numpy.testing.assert_allclose(before[LOWER_TOP], 0, atol=1e-12)
+                    kept = up if kind == "tied-elastic" else up - DOWN  # the others pull them together
+                    p = root(lambda p: stretched(LOWER, p) + stretched(UPPER, p) + p * spring - 2 - kept)
+                    uz = fields.nodal("displacement_z")
+                    self.assertGreater(stretched(LOWER, p), 1.03)
+                    numpy.testing.assert_allclose(uz[LOWER_TOP], stretched(LOWER, p) - 1, rtol=0,
+                                                  atol=1e-8)
+                    numpy.testing.assert_allclose(uz[-4:], up - DOWN, rtol=0, atol=1e-12)
+
+    def test_sticky_cubes(self):
+        """Pressed and pulled apart again, or pulled only: what has touched holds, up to its strength."""
+        penalty, up = 50.0, 0.15
+        p = root(lambda p: stretched(LOWER, p) + stretched(UPPER, p) + p / penalty - 2 - up)
+        self.assertGreater(p, 1.0)
+        press = [(0, 0), (1, -DOWN), (2, up)]
+        for course, more, holds in ((press, "", True), (press, "<max_traction>5</max_traction>", True),
+                                    (press, "<max_traction>1</max_traction>", False),
+                                    ([(0, 0), (2, up)], "", False),
+                                    ([(0, 0), (2, up)], "<snap_tol>0.01</snap_tol>", True)):
+            with self.subTest(course=course, more=more):
+                stick = f'''<Contact><contact name="glue" surface_pair="pair" type="sticky">
+                  <penalty>{penalty}</penalty>{more}</contact></Contact>'''
+                text = cubes(boundary=SIDEWAYS + FLOOR + PRESS.replace(f"{-DOWN}", "1"), more=stick,
+                             control=CONTROL.replace(">2<", ">4<"))
+                points = "".join(f"<pt>{t},{z}</pt>" for t, z in course)
+                fields = self.run_cubes(text.replace("<pt>0,0</pt><pt>1,1</pt>", points)).fields
+                if course == press:
+                    before = fields.nodal("displacement_z", list(fields.times).index(1.0))
+                    self.assertLess(before[LOWER_TOP].max(), -0.05)
+                uz = fields.nodal("displacement_z")
+                numpy.testing.assert_allclose(uz[LOWER_TOP], stretched(LOWER, p) - 1 if holds else 0,
+                                              rtol=0, atol=1e-9)
+                numpy.testing.assert_allclose(uz[UPPER_BOTTOM],
+                                              1 + up - stretched(UPPER, p) if holds else up, rtol=0,
+                                              atol=1e-9)
+
+    def test_supports_let_go(self):
+        """Pressed by a force, held there while the force is gone, pressed further, then released."""
+        tie = '''<Contact><contact name="tie" surface_pair="pair" type="tied-elastic">
+          <penalty>50</penalty></contact></Contact>'''
+        force = '''<Loads><nodal_load name="push" node_set="top" type="nodal_load"><dof>z</dof>
+          <scale lc="1">-0.25</scale></nodal_load></Loads>'''
+
+        def hold(value, relative):
+            return f'''<Boundary><bc name="hold" node_set="top" type="prescribed displacement">
+              <dof>z</dof><value lc="1">{value}</value><relative>{relative}</relative></bc></Boundary>'''
+
+        steps = "".join(f"<step>{CONTROL}{what}</step>"
+                        for what in (force, hold(0, 1), hold(-0.05, 1), hold(-DOWN, 0), ""))
+        fields = self.run_cubes(cubes(control=f"<Step>{steps}</Step>", boundary=SIDEWAYS + FLOOR,
+                                      more=tie)).fields
+        top = {t: fields.nodal("displacement_z", i)[-4:] for i, t in enumerate(fields.times)}
+        pushed = stretched(LOWER, -1) + stretched(UPPER, -1) - 2 - 1 / 50
+        self.assertLess(pushed, -0.05)
+        for t, expected in ((1, pushed), (2, pushed), (3, pushed - 0.05), (4, -DOWN), (5, 0)):
+            numpy.testing.assert_allclose(top[t], expected, rtol=0, atol=1e-8, err_msg=f"t = {t}")
+
+    def test_traction_per_current_area(self):
+        """With Poisson's ratio a pull on a free cube narrows the face that it acts on."""
+        traction = f'''<Loads><surface_load name="pull" surface="roof" type="traction">
+          <traction>0,0,4</traction>{{}}</surface_load></Loads>'''
+        roof = '<Surface name="roof"><quad4 id="1">50,60,70,80</quad4></Surface><SurfacePair'
+        planes = "".join(f'''<bc name="{axis}" node_set="side{axis}" type="zero displacement">
+          <{axis}_dof>1</{axis}_dof></bc>''' for axis in "xy")
+        sets = '<NodeSet name="sidex">10,40,50,80</NodeSet><NodeSet name="sidey">10,20,50,60</NodeSet>'
+        still = '''<bc name="still" node_set="upper" type="zero displacement">
+          <x_dof>1</x_dof><y_dof>1</y_dof><z_dof>1</z_dof></bc>'''
+        nu = 0.3
+        mu, lame = LOWER / (2 * (1 + nu)), LOWER * nu / ((1 + nu) * (1 - 2 * nu))
+        for linear in ("", "<linear>1</linear>"):
+            text = cubes(boundary=FLOOR + planes + still, more=traction.format(linear))
+            text = text.replace("<SurfacePair", roof, 1).replace("<v>0</v>", f"<v>{nu}</v>", 1)
+            text = text.replace("<NodeSet", sets + '<NodeSet name="upper">90:160:10</NodeSet><NodeSet', 1)
+            u = self.run_cubes(text).fields.vector("displacement")[6]  # the corner (1, 1, 1)
+            width, length = 1 + u[0], 1 + u[2]
+            j = width**2 * length
+            stress = (mu * (length**2 - 1) + lame * numpy.log(j)) / j
+            across = (mu * (width**2 - 1) + lame * numpy.log(j)) / j
+            with self.subTest(linear=linear):
+                self.assertLess(width, 0.95)
+                self.assertAlmostEqual(across, 0, delta=1e-8)
+                self.assertAlmostEqual(stress * (width**2 if linear else 1), 4, delta=1e-8)
+
+    def test_what_nothing_holds_any_more(self):
+        """The upper cube flies off; the message names what has let it go."""
+        result = self.run_cubes(cubes(
+            control=f"<Step><step>{CONTROL}<Boundary>{PRESS}</Boundary></step><step>{CONTROL}</step></Step>",
+            boundary=SIDEWAYS + FLOOR), check=False)
+        self.assertEqual(result.status, 1)
+        self.assertIn("stopped at t = 1 of 2", result.output)
+        self.assertIn("There begins or ends: displacements.press.", result.output)
+
+    def test_rigid_body_lets_go(self):
+        """Driven down, then free under a force, then stopped where it is, then moved from there."""
+        fixed = "".join(f"<{d}_dof>1</{d}_dof>" for d in ("Rx", "Ry", "Ru", "Rv", "Rw"))
+
+        def held(more=""):
+            return f'''<rigid_bc name="held" type="rigid_fixed"><rb>hard</rb>{fixed}{more}</rigid_bc>'''
+
+        def moved(value, relative):
+            return f'''<rigid_bc name="down" type="rigid_displacement"><rb>hard</rb><dof>z</dof>
+              <value lc="1">{value}</value><relative>{relative}</relative></rigid_bc>'''
+
+        force = '''<rigid_load name="push" type="rigid_force"><rb>hard</rb><dof>Rz</dof>
+          <value>-0.5</value></rigid_load>'''
+        steps = "".join(f"<step>{CONTROL}<Rigid>{what}</Rigid></step>"
+                        for what in (held() + moved(-DOWN, 0), held() + force,
+                                     held("<Rz_dof>1</Rz_dof>"), held() + moved(-0.02, 1)))
+        penalty = 1000.0
+        touch = f'''<Contact><contact name="touch" surface_pair="pair" type="sliding-facet-on-facet">
+          <penalty>{penalty}</penalty></contact></Contact>'''
+        fields = self.run_cubes(cubes(control=f"<Step>{steps}</Step>", boundary=SIDEWAYS + FLOOR,
+                                      more=touch, upper="rigid body")).fields
+        pushed = stretched(LOWER, -0.5) - 1 - 0.5 / penalty
+        down = {t: fields.nodal("displacement_z", i)[-8:] for i, t in enumerate(fields.times)}
+        for t, expected in ((1, -DOWN), (2, pushed), (3, pushed), (4, pushed - 0.02)):
+            numpy.testing.assert_allclose(down[t], expected, rtol=0, atol=1e-8, err_msg=f"t = {t}")
 
     def test_wall_comes_down(self):
         """A plane z = 1 - DOWN t whose normal points down; P = PENALTY (height - place)."""

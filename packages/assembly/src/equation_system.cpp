@@ -30,34 +30,19 @@ void EquationSystem::add(std::shared_ptr<Contribution> contribution) {
   prepared_ = false;
 }
 
-void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
-  constraints_.clear();
-  for (Constraint& c : constraints) {
-    const Local row = dofs_.row_of_node(c.node);
-    if (row >= 0)
-      constraints_.push_back({row * dofs_.fields() + c.field, std::move(c.value)});
-  }
-  mark_constrained();
-}
-
 void EquationSystem::set_rigid_bodies(std::vector<RigidBody> bodies) {
   rigid_ = std::make_unique<RigidBodies>(dofs_, std::move(bodies));
   body_constraints_ = rigid_->constraints();
+  follow_windows();
   mark_constrained();
   prepared_ = false;
-}
-
-void EquationSystem::mark_constrained() {
-  std::fill(constrained_.begin(), constrained_.end(), 0);
-  for (const auto* list : {&constraints_, &body_constraints_})
-    for (const RowConstraint& c : *list)
-      constrained_[static_cast<std::size_t>(c.row)] = 1;
-  matrix_ = Teuchos::null;
 }
 
 void EquationSystem::set_time(double t) {
   time_ = t;
   prepared_ = false;
+  if (dofs_.mesh().comm.any(follow_windows()))
+    mark_constrained();
 }
 
 bool EquationSystem::symmetric() const {
@@ -342,13 +327,6 @@ void EquationSystem::copy_constrained(Matrix& matrix) const {
   }
 }
 
-void EquationSystem::apply_constraints(Vector& x) const {
-  const auto view = x.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (const auto* list : {&constraints_, &body_constraints_})
-    for (const RowConstraint& c : *list)
-      view(static_cast<std::size_t>(c.row), 0) = c.value(time_);
-}
-
 void EquationSystem::predictor(const Vector& x, Vector& rhs) {
   predicting_ = true;
   prepared_ = false;
@@ -383,6 +361,9 @@ void EquationSystem::accept(const Vector& x) {
   for (Part& p : parts_)
     p.contribution->accept();
   rigid_->accept();
+  for (auto* list : {&constraints_, &body_constraints_})
+    for (RowConstraint& c : *list)
+      c.has_held = c.holds;
   if (rigid_->have_unknowns())
     prepared_ = false; // the same place, but the rotation's increments count from here
 }

@@ -5,6 +5,7 @@
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut::assembly {
@@ -79,9 +80,13 @@ std::vector<RowConstraint> RigidBodies::constraints() const {
     for (std::size_t i = 0; owns(b) && i < 6; ++i) {
       const RigidBody::Function& value = bodies_[b].prescribed[i];
       const double scale = i < 3 ? 1.0 : length_[b];
+      const auto row = static_cast<Local>(first_owned_row(b) + i);
       if (value)
-        result.push_back({static_cast<Local>(first_owned_row(b) + i),
-                          [value, scale](double t) { return scale * value(t); }});
+        result.push_back({row, [value, scale](double t) { return scale * value(t); }});
+      for (const RigidHold& hold : bodies_[b].holds)
+        if (hold.component == static_cast<int>(i))
+          result.push_back({row, [hold, scale](double t) { return scale * hold.value(t); },
+                            hold.window, hold.relative});
     }
   return result;
 }
@@ -254,6 +259,15 @@ void RigidBodies::add_stiffness(double t, const BlockPattern& pattern, double* v
   }
 }
 
+/// Whether a component follows a function at t.
+bool RigidBodies::is_held(std::size_t b, std::size_t component, double t) const {
+  const std::vector<RigidHold>& holds = bodies_[b].holds;
+  return bodies_[b].prescribed[component] ||
+         std::any_of(holds.begin(), holds.end(), [&](const RigidHold& hold) {
+           return hold.component == static_cast<int>(component) && hold.window.holds(t);
+         });
+}
+
 std::vector<RigidBodyState> RigidBodies::states(double t) const {
   std::vector<RigidBodyState> result(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -267,9 +281,9 @@ std::vector<RigidBodyState> RigidBodies::states(double t) const {
     const double* s = f + 3; // sum of arm f^T, whose skew part is the moment
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      if (bodies_[b].prescribed[std::size_t(i)])
+      if (is_held(b, std::size_t(i), t))
         state.force[i] = f[i] - force[i];
-      if (bodies_[b].prescribed[std::size_t(i + 3)])
+      if (is_held(b, std::size_t(i + 3), t))
         state.moment[i] = s[3 * j + k] - s[3 * k + j] - moment[i];
     }
   }

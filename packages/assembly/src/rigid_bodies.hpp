@@ -17,10 +17,17 @@ struct Placement {
   std::array<double, 6> unknowns{};  ///< rows of translation and rotation [length]
 };
 
-/// A scalar row of a body that is prescribed.
+/// A scalar row that is prescribed.
 struct RowConstraint {
   Local row = 0; ///< owned scalar row
   std::function<double(double)> value;
+  Window window{};
+  bool relative = false;
+  bool holds = true;     ///< at the present time
+  bool has_held = false; ///< at the last accepted state
+  double start = 0.0;    ///< what a relative value counts from
+
+  double at(double t) const { return start + value(t); }
 };
 
 /// The rigid bodies of an EquationSystem: motion, maps of the reduction, loads. The unknowns of a
@@ -68,6 +75,7 @@ public:
 
 private:
   Vec3 load(std::size_t body, const Vec3& vector, double t) const;
+  bool is_held(std::size_t body, std::size_t component, double t) const;
   bool owns(std::size_t body) const;
   std::size_t first_owned_row(std::size_t body) const; ///< scalar row of an owned body
 

@@ -23,6 +23,7 @@ void Interaction::make_dual() {
                        option + "'");
   };
   refuse(options_.tied, "tied");
+  refuse(options_.sticky, "sticky");
   refuse(options_.tension, "tension");
   refuse(options_.tangent == Tangent::automatic, "tangent: automatic");
   refuse(options_.friction_map == FrictionMap::inclined_ray, "friction_map: inclined_ray");
@@ -42,6 +43,10 @@ void Interaction::make_dual() {
 
 void Interaction::set_prescribed(const std::vector<char>& directions) {
   held_ = held_nodes(primary_, corners_, directions);
+  set_held();
+}
+
+void Interaction::set_held() {
   if (dual_ && options_.formulation != Formulation::node_on_facet) // there each node is a point
     dual_->set_prescribed(held_);
 }

@@ -240,16 +240,19 @@ void Interaction::prepare(const NodalFields& fields) {
   penalty_scale_ = penalty_schedule_ ? penalty_schedule_(time_) : 1.0;
   friction_ = options_.friction * (friction_schedule_ ? friction_schedule_(time_) : 1.0);
   current_coordinates(fields);
-  if (!started_) {
+  if (!placed_) {
     x_primary_previous_ = x_primary_;
     x_secondary_previous_ = x_secondary_;
   }
-  collect_if_moved();
-  if (!started_)
-    start();
-  started_ = true;
-  ++searches_;
+  placed_ = true;
   proposed_ = false;
+  acts_ = options_.window.holds(time_);
+  if (!acts_)
+    return rest();
+  if (!started_)
+    begin();
+  collect_if_moved();
+  ++searches_;
   if (dual_)
     evaluate_nodes();
   else
@@ -316,6 +319,8 @@ void Interaction::build_pairs() {
 
 const Connectivity& Interaction::candidates() const {
   candidates_.clear();
+  if (!acts_)
+    return candidates_;
   std::vector<Local> face; // (candidates)
   for (Local f = 0; f < primary_.num_faces(); ++f) {
     Box<3> b = Box<3>::empty();

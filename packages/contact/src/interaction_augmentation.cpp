@@ -28,10 +28,15 @@ enum Sums {
 
 } // namespace
 
+/// Part of a tied point's multiplier that only takes off the distance at the start.
+Vec3 Interaction::tied_rest(const PointState& state, const PrimaryPoint<double>& at) const {
+  return -state.penalty * turned_traction(state.history.rest, at);
+}
+
 /// What the multipliers change from: the averages hold the rest of the tractions.
 Interaction::Multiplier Interaction::base(const PointState& state,
                                           const PrimaryPoint<double>& at) const {
-  if (options_.tied || increments_)
+  if (options_.tied || increments_ || (options_.sticky && state.rule == PointRule::anchored))
     return {state.history.multiplier, turned_traction(state.history.carried, at)};
   // Averaged shear would spread a little with every step: only its change in the step is.
   if (options_.map() == FrictionMap::incremental && state.pressed())
@@ -52,8 +57,15 @@ void Interaction::propose(Augmentation& result) {
       const Local i = point_index(f, p);
       const PointState& state = points_[i];
       Multiplier& next = next_[i];
-      if (options_.multipliers == Multipliers::per_point)
+      if (options_.multipliers == Multipliers::per_point) {
         next = {state.pressure, state.traction - state.pressure * state.normal};
+        if (options_.tied && state.pressed()) {
+          const auto at = primary_point(shape(f, p), primary_nodes(f));
+          const Vec3 rest = tied_rest(state, at);
+          next.pressure -= dot(at.normal, rest);
+          next.shear += rest - dot(at.normal, rest) * at.normal;
+        }
+      }
       if (!state.pressed())
         next.shear = Vec3::zero();
       if (update_)
@@ -85,19 +97,22 @@ void Interaction::propose_averages(Augmentation& result) {
     const auto at = primary_point(shape(f, p), primary_nodes(f));
     const Multiplier& from = next_[point_index(f, p)] = base(state, at);
     const Vec3 present = state.traction - state.pressure * state.normal;
-    const Vec3 spring = present - turned_traction(state.history.carried, at);
+    const Vec3 rest = tied_rest(state, at);
+    const double rest_pressure = -dot(at.normal, rest);
+    const Vec3 rest_shear = rest + rest_pressure * at.normal;
+    const Vec3 spring = present - turned_traction(state.history.carried, at) + rest_shear;
     const bool sticks = state.status() == Status::stick;
     for (int a = 0; a < corners_.corners(f); ++a) {
       double* s = &at_corners[std::size_t(corners_.nodes(f)[a]) * sums];
       const double w = N[a] * area_[point_index(f, p)];
       s[weight] += w;
       s[size] += w * size_[f];
-      s[pressure] += w * (state.pressure - from.pressure);
+      s[pressure] += w * (state.pressure - from.pressure + rest_pressure);
       s[closed] += state.pressed() ? w : 0.0;
       s[sticking] += sticks ? w : 0.0;
       s[gap] += w * effective_gap(state);
       for (int i = 0; i < 3; ++i) {
-        s[shear + i] += state.pressed() ? w * (present[i] - from.shear[i]) : 0.0;
+        s[shear + i] += state.pressed() ? w * (present[i] - from.shear[i] + rest_shear[i]) : 0.0;
         s[motion + i] += sticks ? w * spring[i] / state.penalty : 0.0;
       }
     }
@@ -110,7 +125,8 @@ void Interaction::propose_averages(Augmentation& result) {
     for (int i = 1; i < sums; ++i)
       s[i] /= s[weight];
     constexpr double whole = 1.0 - 1e-9; // at the rim of the contact the average is half open
-    double most = s[closed] < whole ? 0.0 : increments_ ? std::fabs(s[gap]) : -s[gap];
+    const bool both_ways = increments_ || options_.has_anchors();
+    double most = s[closed] < whole ? 0.0 : both_ways ? std::fabs(s[gap]) : -s[gap];
     if (s[sticking] >= whole)
       most = std::max(most, norm(Vec3{{s[motion], s[motion + 1], s[motion + 2]}}));
     result.gap = std::max(result.gap, most / s[size]);
@@ -125,7 +141,7 @@ void Interaction::propose_averages(Augmentation& result) {
     };
     Multiplier& next = next_[point_index(f, p)]; // holds its base
     next.pressure += read(pressure);
-    if (!options_.tied && !options_.tension)
+    if (!options_.has_anchors() && !options_.tension)
       next.pressure = std::max(0.0, next.pressure);
     next.shear += Vec3{{read(shear), read(shear + 1), read(shear + 2)}};
   });
@@ -160,11 +176,16 @@ void Interaction::measure_points(Augmentation& result) {
         continue;
       const auto at = primary_point(shape(f, p), primary_nodes(f));
       const double gap = effective_gap(state);
-      double most = accelerates() && state.pressed() ? std::fabs(gap) : -gap;
-      if (state.status() == Status::stick && state.penalty > 0.0)
-        most = std::max(most, norm(state.traction - state.pressure * state.normal -
-                                   turned_traction(state.history.carried, at)) /
-                                  state.penalty);
+      const bool both_ways =
+          state.pressed() && (accelerates() || (options_.has_anchors() && state.anchor >= 0));
+      double most = both_ways ? std::fabs(gap) : -gap;
+      if (state.status() == Status::stick && state.penalty > 0.0) {
+        const Vec3 rest = tied_rest(state, at);
+        const Vec3 spring = state.traction - state.pressure * state.normal -
+                            turned_traction(state.history.carried, at) + rest -
+                            dot(at.normal, rest) * at.normal;
+        most = std::max(most, norm(spring) / state.penalty);
+      }
       result.gap = std::max(result.gap, most / size_[f]);
       result.length = std::max(result.length, most);
       watch_.violated({most / size_[f], area_[point_index(f, p)], 2 * held >= corners_.corners(f),

@@ -10,7 +10,59 @@
 
 namespace abut::contact {
 
-/// First search, in the configuration that the run starts from.
+/// The interface comes into being in the last converged configuration.
+void Interaction::begin() {
+  std::vector<Vec3> x_primary = x_primary_previous_;
+  std::vector<double> x_secondary = x_secondary_previous_;
+  x_primary.swap(x_primary_);
+  x_secondary.swap(x_secondary_);
+  collected_ = false;
+  collect_if_moved();
+  start();
+  if (dual_)
+    evaluate_nodes(); // so that their gaps of the last step are known
+  x_primary.swap(x_primary_);
+  x_secondary.swap(x_secondary_);
+  started_ = true;
+}
+
+/// Outside of its window: no partners, no forces. What the points remember stays until a step of
+/// this kind is accepted, for it may yet be cut.
+void Interaction::rest() {
+  for (PointState& p : points_) {
+    p.rule = PointRule::open;
+    p.facing = p.near = p.left = p.anchor = -1;
+    p.pressure = p.multiplier = 0.0;
+    p.traction = Vec3::zero();
+    p.touching = false;
+    p.settled = true;
+    p.last = {};
+  }
+  if (dual_) {
+    dual_->gather(std::vector<DualPoint>(points_.size()));
+    dual_->decide(friction_, false, false);
+  }
+  frozen_ = new_step_ = false;
+  build_pairs();
+}
+
+/// The next beginning is a first one, but what friction has cost is not forgotten.
+void Interaction::forget() {
+  for (PointState& p : points_) {
+    PointHistory fresh;
+    fresh.path = p.converged.path;
+    fresh.dissipated = p.converged.dissipated;
+    p = {};
+    p.history = p.converged = fresh;
+  }
+  stretch_.assign(size_.size(), 1.0);
+  last_active_.clear();
+  increments_ = started_ = false;
+  make_dual();
+  set_held();
+}
+
+/// First search, in the configuration that the interface starts from.
 void Interaction::start() {
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
@@ -33,21 +85,24 @@ void Interaction::start_point(Local f, int p) {
   if (options_.initial_overlap != InitialOverlap::keep)
     state.overlap = std::max(0.0, options_.offset - best.gap);
   const double gap = best.gap - options_.offset;
-  history.in_contact = options_.tied ? std::fabs(gap) <= options_.tie_distance * size_[f]
-                                     : gap <= touching_gap * size_[f];
+  const double touching = touching_gap * size_[f];
+  history.in_contact = options_.tied     ? std::fabs(gap) <= options_.tie_distance * size_[f]
+                       : options_.sticky ? gap < options_.stick_within - touching
+                                         : gap <= touching;
   if (!history.in_contact)
     return;
   history.anchor = facing_.face_id(best.face);
   history.anchor_xi[0] = best.xi[0];
   history.anchor_xi[1] = best.xi[1];
-  if (!options_.tied)
+  if (!options_.tied || options_.tie_gap == TieGap::close)
     return;
   // The distance at the start strains nothing: lambda cancels it.
   Vec3 y[fem::max_face_nodes];
   facing_.coordinates(best.face, y);
   fem::FacePoint<double> on;
   fem::face_point(facing_.type(best.face), y, best.xi, on);
-  const Vec3 lambda = -penalty_of(f, best.face) * (on.x - at.x - options_.offset * at.normal);
+  history.rest = store_traction(at, on.x - at.x - options_.offset * at.normal);
+  const Vec3 lambda = -penalty_of(f, best.face) * turned_traction(history.rest, at);
   history.multiplier = -dot(at.normal, lambda);
   history.carried = store_traction(at, lambda + history.multiplier * at.normal);
 }
@@ -81,7 +136,7 @@ void Interaction::advance_history(Local f, int p) {
   history.gap = state.facing >= 0 ? state.gap : options_.reach * size_[f];
   history.in_contact = state.active();
   if (!state.active()) {
-    if (!options_.tied) {
+    if (!options_.has_anchors() || history.anchor < 0) {
       history.anchor = -1;
       history.carried = {};
     }
@@ -101,7 +156,8 @@ void Interaction::advance_history(Local f, int p) {
     history.sliding = share_ * measure(f, p) * norm(shear);
     history.dissipated += way * (slid > 0.0 ? 0.5 * (slid + history.sliding) : history.sliding);
   }
-  if (options_.map() != FrictionMap::incremental) {
+  if (options_.sticky ? state.pressed() && !history.torn
+                      : options_.map() != FrictionMap::incremental) {
     history.anchor = facing_.face_id(state.facing);
     history.anchor_xi[0] = state.xi[0];
     history.anchor_xi[1] = state.xi[1];
@@ -112,13 +168,30 @@ void Interaction::advance_history(Local f, int p) {
     history.carried = store_traction(at, shear);
 }
 
+bool Interaction::tear() {
+  Global torn = 0;
+  if (options_.sticky && options_.stick_strength > 0.0 && acts_)
+    for (PointState& p : points_) {
+      if (p.rule != PointRule::anchored || -p.pressure <= options_.stick_strength)
+        continue;
+      p.history.anchor = -1;
+      p.history.multiplier = 0.0;
+      p.history.carried = {};
+      p.history.torn = true;
+      ++torn;
+    }
+  return comm_.sum(torn) > 0;
+}
+
 void Interaction::accept() {
+  if (!acts_ && started_)
+    forget();
   bool contact = false;
   choose_factor();
   const bool augments = options_.augments_at_end();
   if (dual_) {
     accept_nodes();
-  } else if (augments) {
+  } else if (augments && acts_) {
     Augmentation unused;
     propose(unused);
   }
@@ -128,9 +201,10 @@ void Interaction::accept() {
       if (!dual_)
         advance_history(f, p);
       if (!dual_ && augments)
-        take_multiplier(f, p, options_.tied || options_.map() != FrictionMap::incremental);
+        take_multiplier(f, p, options_.has_anchors() || options_.map() != FrictionMap::incremental);
       state.history.shear =
           state.pressed() ? state.traction - state.pressure * state.normal : Vec3::zero();
+      state.history.torn = false;
       state.converged = state.history;
       contact = contact || state.converged.in_contact;
       state.returns = state.losses = 0;

@@ -47,7 +47,7 @@ void make_symmetric(int size, double* k) {
 
 bool Interaction::symmetric() const {
   return options_.tangent == Tangent::symmetric ||
-         (!options_.uses_ray() && !options_.tied && options_.friction == 0.0);
+         (!options_.uses_ray() && !options_.has_anchors() && options_.friction == 0.0);
 }
 
 /// A gap is a difference of positions: it is known to a few units in their last place.

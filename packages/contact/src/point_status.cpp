@@ -59,8 +59,11 @@ void Interaction::evaluate_points() {
 }
 
 double Interaction::present_offset(const PointState& state) const {
-  const double fade =
-      options_.initial_overlap == InitialOverlap::resolve ? std::max(0.0, 1.0 - time_ / end_) : 1.0;
+  const double from = options_.window.from;
+  const double end = options_.window.until > 0.0 ? std::min(options_.window.until, end_) : end_;
+  const double fade = options_.initial_overlap == InitialOverlap::resolve
+                          ? std::max(0.0, 1.0 - (time_ - from) / (end - from))
+                          : 1.0;
   return options_.offset - fade * state.overlap;
 }
 
@@ -71,10 +74,10 @@ void Interaction::evaluate(Local face, int point) {
   state.offset = present_offset(state);
   state.anchor = state.history.anchor >= 0 ? facing_.find(state.history.anchor) : -1;
   const bool anchors =
-      options_.tied || (friction_ > 0.0 && options_.map() != FrictionMap::incremental);
+      options_.has_anchors() || (friction_ > 0.0 && options_.map() != FrictionMap::incremental);
   if (anchors && state.anchor >= 0 && evaluate_anchored(face, point, at))
     return;
-  if (options_.tied) {
+  if (options_.tied || (options_.sticky && state.history.anchor >= 0)) {
     state.facing = -1;
     state.gap = options_.reach * size_[face];
     set_traction(face, point, PointRule::open);
@@ -97,9 +100,9 @@ bool Interaction::evaluate_anchored(Local face, int point, const PrimaryPoint<do
   const Vec3 w = tangential(trial, at.normal);
   const bool beyond = norm(w) > friction_ * pressure;
   const bool sticks =
-      options_.tied || !switched(face, state.anchor, state, w, at.normal, pressure).slips;
-  state.settled = options_.tied || sticks != beyond;
-  if (sticks && (options_.tied || pressure > 0.0 || options_.tension)) {
+      options_.has_anchors() || !switched(face, state.anchor, state, w, at.normal, pressure).slips;
+  state.settled = options_.has_anchors() || sticks != beyond;
+  if (sticks && (options_.has_anchors() || pressure > 0.0 || options_.tension)) {
     state.facing = state.anchor;
     state.xi[0] = state.history.anchor_xi[0];
     state.xi[1] = state.history.anchor_xi[1];
@@ -184,7 +187,8 @@ bool Interaction::normal_response(Local face, PointState& state) const {
   state.penalty = penalty_of(face, state.facing);
   state.multiplier = state.history.multiplier;
   if (!normal_law_)
-    return options_.tension && state.converged.in_contact;
+    return (options_.tension && state.converged.in_contact) ||
+           (options_.sticky && !state.history.torn && effective_gap(state) < options_.stick_within);
   const double gap = effective_gap(state);
   const NormalResponse response = normal_law_(gap, state.penalty);
   state.penalty = response.stiffness;

@@ -31,6 +31,8 @@ public:
              "self-contact of '" + pair.primary + "' has points on both sides already");
       if (pair.tied && pair.tension)
         fail("contact." + pair.name + ".tension", "tied points pull already");
+      if (pair.sticky && (pair.tied || pair.tension || pair.friction > 0.0))
+        fail("contact." + pair.name + ".sticky", "does not go with tied, tension or friction");
     }
     for (const auto& v : deck_.verify)
       verify(v);
@@ -92,6 +94,8 @@ private:
     constexpr const char* components[] = {".x", ".y", ".z", ".rx", ".ry", ".rz"};
     for (std::size_t i = 0; i < 6; ++i)
       curve(path + ".curves", motion.curves[i], components[i]);
+    for (const auto& hold : motion.holds)
+      curve(path + ".holds." + hold.name, hold.curve);
   }
 
   void rigid_place(const std::string& path, const std::string& word) const {

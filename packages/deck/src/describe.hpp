@@ -13,6 +13,15 @@
 /// Defaults are the initial values of the option structs.
 namespace abut::deck {
 
+/// When something holds; `beginning` says what happens first.
+template <class V> void describe_window(V& v, Window& o, const std::string& beginning) {
+  v.optional("from", o.from,
+             ("holds in steps that end after this value of the load parameter" + beginning).c_str(),
+             at_least(0.0, "1"));
+  v.optional("until", o.until, "and not after this one; 0: to the end", at_least(0.0, "1"));
+  v.check("until", o.until == 0.0 || o.until > o.from, "expected more than from");
+}
+
 template <class V> void describe(V& v, solid::MaterialOptions& o) {
   using solid::MaterialModel;
   v.choice("model", o.model,
@@ -63,8 +72,34 @@ template <class V> void describe(V& v, solid::MaterialOptions& o) {
   });
 }
 
+constexpr const char* rigid_components[] = {"x", "y", "z", "rx", "ry", "rz"};
+
+template <class V> void describe(V& v, solid::RigidHold& o) {
+  std::array<std::optional<double>, 6> given;
+  for (std::size_t i = 0; i < 6; ++i)
+    if (o.components[i])
+      given[i] = o.values[i];
+  for (std::size_t i = 0; i < 6; ++i)
+    v.optional(rigid_components[i], given[i], "at curve value 1", unit(i < 3 ? "length" : "rad"));
+  std::vector<std::string> fixed;
+  v.words("fix", fixed, {"x", "y", "z", "rx", "ry", "rz"},
+          "components held at zero: 'fix: [x]' means 'x: 0'");
+  v.optional("curve", o.curve, "factor over the load parameter; without one, t itself");
+  describe_window(v, o.window, "");
+  v.optional("relative", o.relative, "counts from where the body is when it begins");
+  v.at_least_one({"x", "y", "z", "rx", "ry", "rz", "fix"});
+
+  for (std::size_t i = 0; i < 6; ++i) {
+    const bool is_fixed = std::find(fixed.begin(), fixed.end(), rigid_components[i]) != fixed.end();
+    v.check("fix", !is_fixed || !given[i],
+            std::string("component '") + rigid_components[i] + "' is prescribed twice");
+    o.components[i] = is_fixed || given[i].has_value();
+    o.values[i] = given[i].value_or(0.0);
+  }
+}
+
 template <class V> void describe(V& v, solid::RigidMotion& o) {
-  constexpr const char* components[] = {"x", "y", "z", "rx", "ry", "rz"};
+  constexpr auto& components = rigid_components;
   v.optional("displacement", o.displacement, "at curve value 1", unit("length"));
   v.optional("rotation", o.rotation, "rotation vector at curve value 1", unit("rad"));
   v.optional("center", o.center, "point of the reference configuration to rotate about",
@@ -80,6 +115,7 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
       free.push_back(components[i]);
   v.words("free", free, {"x", "y", "z", "rx", "ry", "rz"},
           "components of displacement and rotation that are unknowns; the others are prescribed");
+  v.named_map("holds", o.holds, "when free components are prescribed all the same, by name");
   v.optional("force", o.force, "on the center, where components are free", unit("force"));
   v.optional("moment", o.moment, "about the center, where components are free",
              unit("force length"));
@@ -95,6 +131,11 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
             !o.free[i] || (turns ? o.rotation[i - 3] : o.displacement[i]) == 0.0,
             std::string("component '") + components[i] + "' is prescribed here and listed as free");
   }
+  for (const solid::RigidHold& hold : o.holds)
+    for (std::size_t i = 0; i < 6; ++i)
+      v.check("holds", !hold.components[i] || o.free[i],
+              "'" + hold.name + "' holds component '" + components[i] +
+                  "', which is prescribed always; list it under 'free'");
   constexpr std::array<double, 3> none{};
   for (const char* key : {"force", "moment"})
     v.check(key, o.has_unknowns() || (key[0] == 'f' ? o.force : o.moment) == none,
@@ -131,6 +172,8 @@ template <class V> void describe(V& v, solid::DisplacementOptions& o) {
   std::vector<std::string> fixed;
   v.words("fix", fixed, {"x", "y", "z"}, "directions held at zero: 'fix: [x]' means 'x: 0'");
   v.optional("curve", o.curve, "factor over the load parameter; without one, t itself");
+  describe_window(v, o.window, "; else the nodes are free, unless another entry holds them");
+  v.optional("relative", o.relative, "counts from where the nodes are when it begins");
   v.at_least_one({"x", "y", "z", "fix"});
 
   for (const std::string& axis : fixed) {
@@ -155,6 +198,7 @@ template <class V> void describe(V& v, solid::LoadOptions& o) {
   kind("traction", LoadKind::traction, [&] {
     v.required("traction", o.vector, "dead force per reference area", unit("pressure"));
     v.required("side_set", o.place, "where a traction or a pressure acts");
+    v.optional("current_area", o.current_area, "the traction is per current area instead");
   });
   kind("pressure", LoadKind::pressure, [&] {
     v.required("pressure", o.pressure, "per current area, follows the surface; > 0 pushes inwards",
@@ -248,6 +292,17 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("tied", o.tied, "points close to their partner at the start stay there");
   v.optional("tie_distance", o.tie_distance, "what is close for tied, in face sizes",
              positive("1"));
+  using contact::TieGap;
+  v.choice("tie_gap", o.tie_gap,
+           {{"keep", TieGap::keep, "it strains nothing"},
+            {"close", TieGap::close, "the point is pulled on its partner"}},
+           "what becomes of the distance between tied surfaces");
+  v.optional("sticky", o.sticky, "points that overlap are tied from the end of the step on");
+  v.optional("stick_within", o.stick_within, "gap up to which sticky points get hold too",
+             at_least(0.0, "length"));
+  v.optional("stick_strength", o.stick_strength,
+             "tension along the normal beyond which sticky points come off; 0: never",
+             at_least(0.0, "pressure"));
   v.optional("offset", o.offset, "gap that counts as closed", unit("length"));
   using contact::InitialOverlap;
   v.choice("initial_overlap", o.initial_overlap,
@@ -261,6 +316,7 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"automatic", Tangent::automatic, "automatic differentiation; slow"},
             {"symmetric", Tangent::symmetric, "symmetric part, for a symmetric solver"}},
            "derivative of the contact forces");
+  describe_window(v, o.window, "; its first partners are those of the step before");
   v.optional("points", o.points,
              "integration points per direction; 0: 2 on linear faces, 3 on quadratic ones",
              Rule{0.0, 6.0, false, "1", ""});

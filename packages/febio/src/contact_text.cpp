@@ -40,7 +40,6 @@ private:
     const SurfacePair& p = pair(c);
     check_faces(c, p.primary, "flip_primary");
     check_faces(c, p.secondary, "flip_secondary");
-    check_step(c);
     report_friction(c);
     const std::string name = names_.make(c.name, "contact");
     PassPenalty first = penalty_of(c, p.primary, p.secondary);
@@ -58,25 +57,6 @@ private:
   }
 
   bool in_one_step(const Contact& c) const { return c.step >= 0 && model_.steps.size() > 1; }
-
-  /// A penalty that is zero in the other steps says that there is contact in one step alone, but
-  /// leaves multipliers and the history of friction.
-  void check_step(const Contact& c) const {
-    if (!in_one_step(c))
-      return;
-    const bool last = static_cast<std::size_t>(c.step) + 1 == model_.steps.size();
-    const char* why = nullptr;
-    if (c.is_tied())
-      why = "a tie in one step alone";
-    else if (rubs(c))
-      why = "friction in one step alone";
-    else if (augments(c) && !last)
-      why = "AUGLAG in one step alone, which is not the last";
-    if (why)
-      report_.add({c.line, "Contact/contact '" + c.name + "'", Fate::refused,
-                   std::string(why) + ": put the contact outside of the steps, or make a file of "
-                                      "each step"});
-  }
 
   PassPenalty penalty_of(const Contact& c, const std::string& primary,
                          const std::string& secondary) const {
@@ -100,6 +80,11 @@ private:
       line("formulation", "sliding_elastic");
     if (c.is_tied())
       tie(c, p);
+    if (c.is_sticky()) {
+      line("sticky", "true");
+      line_unless("stick_within", c.number("snap_tol"), 0.0);
+      line_unless("stick_strength", std::max(0.0, c.number("max_traction")), 0.0);
+    }
     if (two_pass)
       line("two_pass", "true");
     add_penalty(c, penalty);
@@ -107,6 +92,12 @@ private:
     if (augments(c))
       augmentation(c);
     rest(c, p);
+    if (in_one_step(c)) {
+      const auto step = static_cast<std::size_t>(c.step);
+      const Window window = model_.window(step, step);
+      line_unless("from", window.from, 0.0);
+      line_unless("until", window.until, 0.0);
+    }
     return lines_;
   }
 
@@ -127,8 +118,8 @@ private:
     line(penalty.automatic ? "penalty_factor" : "penalty",
          number_text(penalty.number) + (penalty.note.empty() ? "" : "  # " + penalty.note));
     const int curve = c.values.at("penalty").curve;
-    if (curve > 0 || in_one_step(c))
-      line("penalty_curve", curves_.of(model_.course({1.0, curve, c.line}, c.step)).curve);
+    if (curve > 0)
+      line("penalty_curve", curves_.of(c.values.at("penalty")));
   }
 
   static bool augments(const Contact& c) {
@@ -137,7 +128,7 @@ private:
   }
 
   static bool is_nodal(const Contact& c) {
-    return c.type == "sliding-node-on-facet" || c.type == "tied-node-on-facet";
+    return c.type == "sliding-node-on-facet" || c.type == "tied-node-on-facet" || c.is_sticky();
   }
   static bool takes_rays(const Contact& c) {
     return c.type == "sliding-elastic" || c.type == "tied-elastic";
@@ -146,16 +137,13 @@ private:
   /// FEBio ties what has a partner within a length; abut seeks that far at most.
   void tie(const Contact& c, const SurfacePair& p) {
     constexpr double farthest = 3.0;
-    const double length = c.number(is_nodal(c) ? "max_distance" : "search_radius");
+    const double length = c.number(takes_rays(c) ? "search_radius" : "max_distance");
     const double in_sizes =
         length > 0.0 ? rounded(length / mesh_.face_size(p.primary), 3) : farthest;
     line("tied", "true");
     line("tie_distance", number_text(std::min(in_sizes, farthest)));
-    if (is_nodal(c))
-      report_.add(
-          {c.line, "Contact/contact '" + c.name + "'", Fate::used,
-           "where the surfaces are apart at the start FEBio pulls them together, abut keeps "
-           "the distance"});
+    if (!takes_rays(c) && !c.flag("moves_nodes"))
+      line("tie_gap", "close");
   }
 
   static bool rubs(const Contact& c) {
@@ -219,7 +207,7 @@ private:
     line_unless("segment_updates", c.number("seg_up"), 0.0);
     if (c.flag("node_reloc"))
       line("initial_overlap", "adjust  # FEBio: node_reloc, which moves the nodes instead");
-    if (c.is_tied())
+    if (c.is_tied() || c.is_sticky())
       return;
     const double radius = c.number("search_radius");
     const double size = std::max(mesh_.face_size(p.primary), mesh_.face_size(p.secondary));

@@ -46,6 +46,21 @@ private:
   std::map<Pieces, std::string> composed_;
 };
 
+/// Keys 'from' and 'until' where something does not hold in the whole run.
+inline void add_window(FlowMap& map, const Window& window) {
+  if (window.from > 0.0)
+    map.add("from", window.from);
+  if (window.until > 0.0)
+    map.add("until", window.until);
+}
+
+/// What prescribes a component of a rigid body in some steps.
+struct PartHold {
+  const RigidCondition* condition;
+  Window window;
+  bool relative;
+};
+
 /// A rigid body of the deck: rigid materials whose domains or ties share nodes are one, as in
 /// FEBio.
 struct RigidBody {
@@ -54,6 +69,8 @@ struct RigidBody {
   std::vector<std::string> sets;      ///< of nodes that move with it
   std::array<Course, 6> motion, load; ///< empty: none
   std::array<bool, 6> free{};
+  std::array<std::vector<PartHold>, 6> holds; ///< of free components
+  bool follower = false;                      ///< of its loads
   Vec3 center = Vec3::zero();
 
   /// Whether all it does is to prescribe displacements of nodes; the deck then has no body for it.

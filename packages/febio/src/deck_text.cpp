@@ -178,8 +178,10 @@ private:
       std::string febio;
       for (const std::string& m : body.materials)
         febio += (febio.empty() ? "" : " and ") + m;
-      out += "  " + name + ":" + comment(name, febio, "") + "\n" + members(body) +
-             "    rigid: " + motion(body) + "\n";
+      out += "  " + name + ":" + comment(name, febio, "") + "\n" + members(body) + "    rigid:";
+      const FlowMap map = motion(body);
+      const std::string held = holds(body);
+      out += held.empty() ? " " + map.text() + "\n" : "\n" + map.lines("      ") + held;
     }
     return "bodies:\n" + out;
   }
@@ -194,7 +196,54 @@ private:
            (sets.empty() ? "" : "    node_sets: " + list_text(sets) + "\n");
   }
 
-  std::string motion(const RigidBody& body) {
+  /// What holds free components for a time.
+  std::string holds(const RigidBody& body) {
+    struct Entry {
+      PartHold hold;
+      std::string curve;
+      std::vector<std::size_t> components;
+    };
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (const PartHold& hold : body.holds[i]) {
+        auto same = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) {
+          return e.hold.condition == hold.condition && e.hold.window == hold.window;
+        });
+        if (same == entries.end()) {
+          const bool fixed = hold.condition->fixed;
+          entries.push_back({hold, fixed ? "" : curves_.of(hold.condition->value), {}});
+          same = entries.end() - 1;
+        }
+        same->components.push_back(i);
+      }
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.hold.window.from < b.hold.window.from;
+    });
+    std::string out;
+    DeckNames names;
+    for (const Entry& e : entries) {
+      FlowMap map;
+      std::vector<std::string> fixed;
+      for (const std::size_t i : e.components)
+        if (e.hold.condition->fixed)
+          fixed.push_back(components[i]);
+        else
+          map.add(components[i], e.hold.condition->value.number);
+      if (!fixed.empty())
+        map.add("fix", list_text(fixed));
+      else
+        map.add("curve", e.curve);
+      add_window(map, e.hold.window);
+      if (e.hold.relative)
+        map.add("relative", "true");
+      const std::string name = names.make(e.hold.condition->name, "hold");
+      out +=
+          "        " + name + ": " + map.text() + comment(name, e.hold.condition->name, "") + "\n";
+    }
+    return out.empty() ? "" : "      holds:\n" + out;
+  }
+
+  FlowMap motion(const RigidBody& body) {
     FlowMap map;
     const auto part = [](const std::array<Timed, 6>& a, std::size_t first) {
       return std::array<double, 3>{a[first].number, a[first + 1].number, a[first + 2].number};
@@ -217,9 +266,12 @@ private:
     const std::array<Timed, 6> load = timed(body.load);
     add("force", part(load, 0));
     add("moment", part(load, 3));
-    if (body.is_loaded())
+    if (body.is_loaded()) {
       map.add("load_curve", curve_of_load(body, load));
-    return map.text();
+      if (body.follower)
+        map.add("follower", "true");
+    }
+    return map;
   }
 
   std::array<Timed, 6> timed(const std::array<Course, 6>& courses) {
@@ -269,6 +321,8 @@ private:
       FlowMap map;
       map.add(key, vector_text(vector));
       map.add(place_key, quoted(place));
+      if (l.current_area)
+        map.add("current_area", "true");
       map.add("curve", curves_.of(model_.course({1.0, curve, l.line}, l.step)).curve);
       const std::string unique = load_names_.make(name, "load");
       loads_ += "  " + unique + ": " + map.text() + comment(unique, l.name, "") + "\n";

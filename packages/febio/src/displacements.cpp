@@ -17,6 +17,8 @@ struct Entry {
   std::array<bool, 3> fixed{}, given{};
   std::array<double, 3> number{};
   std::string curve; ///< of what is given
+  Window window{};
+  bool relative = false;
 
   bool is_fixed() const { return fixed[0] || fixed[1] || fixed[2]; }
 };
@@ -46,7 +48,7 @@ private:
   using InSteps = std::vector<const Displacement*>; ///< (steps)
 
   /// A prescribed zero without a curve holds as a fixed one does.
-  static bool is_fixed(const Displacement& d) { return d.value.is_zero(); }
+  static bool is_fixed(const Displacement& d) { return d.value.is_zero() && !d.relative; }
   bool in_one_step(const Displacement& d) const { return d.step >= 0 && model_.steps.size() > 1; }
 
   /// Nodes that move with rigid bodies follow these alone.
@@ -147,11 +149,29 @@ private:
       std::array<bool, 3> components{};
       components[i] = true;
       for (const auto& [in_steps, nodes] : groups)
-        if (held_always(in_steps))
+        if (std::all_of(in_steps.begin(), in_steps.end(),
+                        [](const auto* d) { return d && !d->relative; }))
           add(nodes, in_steps,
               std::all_of(in_steps.begin(), in_steps.end(),
                           [](const auto* d) { return is_fixed(*d); }),
               components);
+        else
+          add_parts(nodes, in_steps, components);
+    }
+  }
+
+  /// An entry for each step, or for several with one after the other that fix the same.
+  void add_parts(const std::vector<Global>& nodes, const InSteps& in_steps,
+                 const std::array<bool, 3>& components) {
+    for (std::size_t s = 0; s < in_steps.size(); ++s) {
+      const Displacement* d = in_steps[s];
+      if (!d)
+        continue;
+      const std::size_t first = s;
+      while (is_fixed(*d) && s + 1 < in_steps.size() && in_steps[s + 1] &&
+             is_fixed(*in_steps[s + 1]))
+        ++s;
+      add(nodes, {d}, is_fixed(*d), components, model_.window(first, s));
     }
   }
 
@@ -162,18 +182,6 @@ private:
         prescribed_twice(*d, i, id, *other->second);
   }
 
-  bool held_always(const InSteps& in_steps) {
-    if (std::count(in_steps.begin(), in_steps.end(), nullptr) == 0)
-      return true;
-    for (std::size_t s = 0; s < in_steps.size(); ++s)
-      if (const Displacement* d = in_steps[s])
-        report_.add({d->line, "Boundary/bc '" + d->name + "'", Fate::refused,
-                     "it holds in step " + std::to_string(s + 1) +
-                         " alone: abut holds a displacement in all steps or in none. Let "
-                         "something hold it in the others too, or make a file of each step"});
-    return false;
-  }
-
   Timed timed(const InSteps& in_steps) {
     Course course;
     for (const Displacement* d : in_steps)
@@ -182,15 +190,18 @@ private:
   }
 
   void add(const std::vector<Global>& nodes, const InSteps& in_steps, bool fixed,
-           const std::array<bool, 3>& components) {
+           const std::array<bool, 3>& components, const Window& window = {}) {
     if (nodes.empty() || components == std::array<bool, 3>{})
       return;
     const Timed value = fixed ? Timed{} : timed(in_steps);
+    const bool relative = in_steps[0]->relative;
     auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
-      return e.nodes == nodes && e.is_fixed() == fixed && e.curve == value.curve;
+      return e.nodes == nodes && e.is_fixed() == fixed && e.curve == value.curve &&
+             e.window == window && e.relative == relative;
     });
     if (entry == entries_.end()) {
-      entries_.push_back({nodes, in_steps[0]->place, {}, {}, {}, {}, value.curve});
+      entries_.push_back(
+          {nodes, in_steps[0]->place, {}, {}, {}, {}, value.curve, window, relative});
       entry = entries_.end() - 1;
     }
     for (const Displacement* d : in_steps)
@@ -235,6 +246,9 @@ std::string entry_text(const Entry& e, const std::string& set) {
     map.add("fix", list_text(fixed));
   else
     map.add("curve", e.curve);
+  add_window(map, e.window);
+  if (e.relative)
+    map.add("relative", "true");
   return map.text();
 }
 

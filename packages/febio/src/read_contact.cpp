@@ -56,7 +56,8 @@ void read_numbers(Element contact, Contact& c, const Parameter& p) {
 
 void refuse_smooth_aug(Element contact) {
   contact.expect("smooth_aug", 0,
-                 "multipliers from element stresses; abut smooths them by 'multipliers: smoothed'");
+                 "multipliers from the stresses of elements: set 0, and 'multipliers: smoothed' in "
+                 "the deck for smooth ones");
 }
 
 void read_node_on_facet(Element contact, Contact& c) {
@@ -90,19 +91,30 @@ void read_sliding_elastic(Element contact, Contact& c) {
 }
 
 /// What a type does not have stays at a value that does nothing.
-void read_tied_node_on_facet(Element contact, Contact& c) {
+void read_tied_to_closest(Element contact, Contact& c) {
   for (const Parameter p :
        {Parameter{"tolerance", 0.01}, Parameter{"penalty", 1.0, Range::any, true},
-        Parameter{"minaug", 0, Range::count}, Parameter{"maxaug", 10, Range::count},
-        Parameter{"max_distance", 0}})
+        Parameter{"minaug", 0, Range::count}, Parameter{"maxaug", 10, Range::count}})
     read_numbers(contact, c, p);
   read_numbers(contact, c, {"search_tolerance", 0.0001, Range::not_negative});
   c.values["search_tol"] = c.values["search_tolerance"];
   for (const char* key : {"auto_penalty", "two_pass", "gaptol", "seg_up", "node_reloc"})
     c.values[key] = {0.0, 0, contact.line()};
+  for (const char* key : {"max_distance", "moves_nodes"})
+    c.values[key] = {0.0, 0, contact.line()};
+  if (c.is_sticky()) {
+    read_numbers(contact, c, {"max_traction", 0});
+    read_numbers(contact, c, {"snap_tol", 0, Range::not_negative});
+  }
+  if (c.type != "tied-node-on-facet")
+    return;
+  read_numbers(contact, c, {"max_distance", 0});
   contact.expect("offset_shells", 0, "abut has no shells");
   contact.ignore("special", "abut's search has its own care for edges and corners");
-  contact.ignore("node_reloc", "abut ties without moving nodes, and without strain");
+  if (auto moves = contact.child("node_reloc")) {
+    c.values["moves_nodes"].number = moves->flag() ? 1.0 : 0.0;
+    moves->note("abut moves no nodes: their distance strains nothing");
+  }
 }
 
 void read_tied_elastic(Element contact, Contact& c) {
@@ -117,6 +129,12 @@ void read_tied_elastic(Element contact, Contact& c) {
   }
   read_numbers(contact, c, {"search_radius", 1.0});
   contact.ignore({"knmult", "symmetric_stiffness"}, "abut takes the exact tangent");
+}
+
+/// FEBio scales the penalty with the number of augmentations where these ask for it.
+void expect_plain_penalty(Element contact) {
+  contact.expect("max_penalty_sf", 0, "abut's penalty does not grow with augmentations: set 0");
+  contact.ignore("penalty_sf", "has no effect while max_penalty_sf is 0");
 }
 
 void read_sliding(Element contact, Contact& c) {
@@ -134,8 +152,9 @@ void read_sliding(Element contact, Contact& c) {
 }
 
 void read_one(Element contact, Model& model) {
-  static const std::string types[] = {"sliding-node-on-facet", "sliding-facet-on-facet",
-                                      "sliding-elastic", "tied-node-on-facet", "tied-elastic"};
+  static const std::string types[] = {
+      "sliding-node-on-facet", "sliding-facet-on-facet", "sliding-elastic", "tied-node-on-facet",
+      "tied-facet-on-facet",   "tied-elastic",           "sticky"};
   Contact c;
   c.line = contact.line();
   c.type = contact.required_attribute("type");
@@ -148,9 +167,10 @@ void read_one(Element contact, Model& model) {
   const auto same = [&](const SurfacePair& p) { return p.name == c.pair; };
   if (std::none_of(model.mesh.pairs.begin(), model.mesh.pairs.end(), same))
     contact.fail("there is no <SurfacePair> '" + c.pair + "'");
+  expect_plain_penalty(contact);
   c.values["laugon"] = {read_augmentation(contact) ? 1.0 : 0.0, 0, contact.line()};
-  if (c.type == "tied-node-on-facet")
-    read_tied_node_on_facet(contact, c);
+  if (c.type == "tied-node-on-facet" || c.type == "tied-facet-on-facet" || c.is_sticky())
+    read_tied_to_closest(contact, c);
   else if (c.type == "tied-elastic")
     read_tied_elastic(contact, c);
   else

@@ -33,11 +33,7 @@ void read_surface_load(Element load, Model& model) {
     const std::vector<double> t = load.required_child("traction").numbers(3);
     for (std::size_t i = 0; i < 3; ++i)
       l.vector[i] = {t[i] * scale.number, scale.curve, scale.line};
-    auto linear = load.child("linear");
-    if (!linear)
-      load.refuse("a traction per current area; abut's is per reference area, linear 1");
-    else if (!linear->flag())
-      linear->refuse("a traction per current area; abut's is per reference area, linear 1");
+    l.current_area = !load.flag_or("linear", false);
     load.expect("shell_bottom", 0, "abut has no shells");
   } else {
     load.refuse("type '" + type + "': abut has pressure and traction");

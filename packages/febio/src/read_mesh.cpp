@@ -281,7 +281,29 @@ void read_mesh(Element section, Model& model) {
   MeshReader(model).read(section);
 }
 
+namespace {
+
+/// Their elements are refused as well; this says what to do, and ends the search for a domain.
+void refuse_structures(Element section, Model& model) {
+  for (const char* kind : {"ShellDomain", "BeamDomain"})
+    for (Element part : section.children(kind)) {
+      const std::string name = part.required_attribute("name");
+      const bool rigid = part.attribute_or("type", "").compare(0, 5, "rigid") == 0;
+      part.refuse(rigid
+                      ? "abut has solid elements alone: extrude the shell to hex8 or penta6 of the "
+                        "rigid material"
+                      : "abut has solid elements alone: extrude the shell to hex8, hex20 or "
+                        "penta6, several across the thickness where it bends");
+      for (Domain& d : model.mesh.domains)
+        if (d.name == name && d.material.empty())
+          d.material = part.required_attribute("mat");
+    }
+}
+
+} // namespace
+
 void read_mesh_domains(Element section, Model& model) {
+  refuse_structures(section, model);
   for (Element part : section.children("SolidDomain")) {
     const std::string name = part.required_attribute("name"), mat = part.required_attribute("mat");
     const auto domain = std::find_if(model.mesh.domains.begin(), model.mesh.domains.end(),

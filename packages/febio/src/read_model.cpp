@@ -49,6 +49,14 @@ void read_walls(Element parent, Model& model, int step) {
     model.contacts[i].step = step;
 }
 
+/// What begins with the run begins at rest.
+void forget_relative(Model& model) {
+  for (Displacement& d : model.displacements)
+    d.relative = false;
+  for (RigidCondition& c : model.rigid_conditions)
+    c.relative = false;
+}
+
 /// Reads what holds in one step alone.
 class StepReader {
 public:
@@ -61,6 +69,8 @@ public:
       for (std::size_t i = before; i < list.size(); ++i)
         list[i].step = index;
     });
+    if (index == 0)
+      forget_relative(model_);
   }
 
 private:
@@ -143,6 +153,7 @@ Model read_model(const std::string& text, const std::string& file, Report& repor
   if (auto section = root.child("LoadData"))
     read_load_data(*section, model);
   read_physics(root, model);
+  forget_relative(model);
   read_walls(root, model, -1);
   read_steps(root, model);
   root.ignore("Output", "abut writes displacement, contact fields, stress and energy always");

@@ -50,7 +50,7 @@ void read_prescribed(Element bc, bool rotation, Model& model) {
                          : component(dof, {"x", "y", "z", "Rx", "Ry", "Rz"}) % 3;
   c.components[static_cast<std::size_t>(i)] = true;
   c.value = bc.required_child("value").value();
-  bc.expect("relative", 0, "abut prescribes motion from the reference configuration");
+  c.relative = bc.flag_or("relative", false);
   c.name = bc.attribute_or("name", "");
   c.line = bc.line();
   model.rigid_conditions.push_back(c);
@@ -63,7 +63,12 @@ void read_load(Element load, const std::string& type, Model& model) {
   r.component = type == "rigid_moment" ? component(dof, {"Ru", "Rv", "Rw"}) + 3
                                        : component(dof, {"Rx", "Ry", "Rz", "Ru", "Rv", "Rw"});
   r.value = load.required_child("value").value();
-  load.expect("load_type", 0, "abut has dead loads on rigid bodies, load_type 0");
+  if (auto kind = load.child("load_type")) {
+    const std::string text = kind->text();
+    r.follower = text == "FOLLOW" || text == "1";
+    if (!r.follower && text != "LOAD" && text != "0")
+      kind->refuse("'" + text + "': abut has LOAD and FOLLOW");
+  }
   load.expect("relative", 0, "abut has absolute loads on rigid bodies, relative 0");
   r.name = load.attribute_or("name", "");
   r.line = load.line();
@@ -115,7 +120,7 @@ void read_boundary(Element section, Model& model) {
       d.components[static_cast<std::size_t>(component(bc.required_child("dof"), {"x", "y", "z"}))] =
           true;
       d.value = bc.required_child("value").value();
-      bc.expect("relative", 0, "abut prescribes displacements from the reference configuration");
+      d.relative = bc.flag_or("relative", false);
     } else {
       bc.refuse("type '" + type +
                 "': abut has zero displacement, prescribed displacement and rigid");

@@ -137,23 +137,48 @@ private:
     }
   }
 
-  /// Held in all steps, or in none.
-  void free_components(std::size_t body) {
+  using InSteps = std::vector<const RigidCondition*>; ///< (steps) null: free
+
+  /// What rules a component in each step: a prescribed motion before one that is fixed.
+  InSteps in_steps(const std::vector<const RigidCondition*>& list) const {
+    InSteps result(model_.steps.size(), nullptr);
+    for (const RigidCondition* c : list)
+      for (std::size_t s = 0; s < result.size(); ++s)
+        if ((c->step < 0 || c->step == static_cast<int>(s)) && (!result[s] || result[s]->fixed))
+          result[s] = c;
+    return result;
+  }
+
+  /// Whether one function of time says where the component is: it is held in all steps, from the
+  /// reference configuration, and not stopped where it happens to be.
+  static bool is_function(const InSteps& in_steps) {
+    bool moved = false;
+    for (const RigidCondition* c : in_steps) {
+      if (!c || c->relative || (c->fixed && moved))
+        return false;
+      moved = moved || !c->value.is_zero();
+    }
+    return true;
+  }
+
+  void free_components(std::size_t b) {
+    RigidBody& body = result_.bodies[b];
     for (std::size_t i = 0; i < 6; ++i) {
-      const std::vector<const RigidCondition*>& list = held_[body][i];
-      std::vector<char> held(model_.steps.size(), 0);
-      for (const RigidCondition* c : list)
-        if (c->step < 0)
-          std::fill(held.begin(), held.end(), 1);
-        else
-          held[static_cast<std::size_t>(c->step)] = 1;
-      const bool always = std::count(held.begin(), held.end(), 0) == 0;
-      result_.bodies[body].free[i] = !always;
-      if (!always && !list.empty())
-        report_.add({list[0]->line, "Rigid '" + list[0]->name + "'", Fate::refused,
-                     std::string("component ") + "xyzuvw"[i] + " of rigid body '" + list[0]->body +
-                         "' is held in some steps and free in others: abut holds it always or "
-                         "never"});
+      const InSteps steps = in_steps(held_[b][i]);
+      body.free[i] = !is_function(steps);
+      if (!body.free[i])
+        continue;
+      body.motion[i].clear();
+      for (std::size_t s = 0; s < steps.size(); ++s) {
+        const RigidCondition* c = steps[s];
+        if (!c)
+          continue;
+        const std::size_t first = s;
+        while (c->fixed && s + 1 < steps.size() && steps[s + 1] && steps[s + 1]->fixed)
+          ++s;
+        body.holds[i].push_back(
+            {c, model_.window(first, s), c->relative || (c->fixed && first > 0)});
+      }
     }
   }
 
@@ -167,6 +192,10 @@ private:
     if (!body->free[i])
       throw InputError(model_.where(l.line) + ": rigid body '" + l.body +
                        "' is held in the component that is loaded");
+    if (body->is_loaded() && body->follower != l.follower)
+      report_.add({l.line, "Rigid '" + l.name + "'", Fate::refused,
+                   "loads of one body are all of load_type LOAD or all FOLLOW"});
+    body->follower = l.follower;
     if (!add(body->load[i], l.value, l.step))
       report_.add({l.line, "Rigid '" + l.name + "'", Fate::refused,
                    "another load acts on this component: give their sum"});

@@ -60,6 +60,13 @@ std::string FlowMap::text() const {
   return "{" + s + "}";
 }
 
+std::string FlowMap::lines(const std::string& indent) const {
+  std::string s;
+  for (const auto& [key, value] : items_)
+    s += indent + key + ": " + value + "\n";
+  return s;
+}
+
 std::string DeckNames::make(const std::string& name, const std::string& otherwise) {
   std::string base;
   for (const char c : name.empty() ? otherwise : name) {

@@ -26,6 +26,8 @@ public:
   void add(const std::string& key, const std::string& text) { items_.emplace_back(key, text); }
   void add(const std::string& key, double x) { add(key, number_text(x)); }
   std::string text() const;
+  /// The same with a line for each key.
+  std::string lines(const std::string& indent) const;
 
 private:
   std::vector<std::pair<std::string, std::string>> items_;

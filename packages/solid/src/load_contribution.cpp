@@ -79,7 +79,7 @@ LoadContribution::LoadContribution(const mesh::Mesh& mesh, const LoadOptions& op
     set_nodal_force();
     break;
   }
-  if (options_.kind != LoadKind::pressure)
+  if (!options_.follows_surface())
     set_shares();
 }
 
@@ -179,12 +179,19 @@ void LoadContribution::set_forces(double time) {
   }
 }
 
-void LoadContribution::set_pressures(double time) {
-  pressure_.resize(static_cast<std::size_t>(connectivity_.cells()) * max_face_points);
+void LoadContribution::set_at_points(double time) {
+  const bool pressure = options_.kind == LoadKind::pressure;
+  const auto size = static_cast<std::size_t>(connectivity_.cells()) * max_face_points;
+  pressure_.resize(pressure ? size : 0);
+  traction_.resize(pressure ? 0 : size);
   for (Local c = 0; c < connectivity_.cells(); ++c) {
-    double* pressure = pressure_.data() + static_cast<std::size_t>(c) * max_face_points;
+    const std::size_t first = static_cast<std::size_t>(c) * max_face_points;
     visit_points(c, [&](int p, const Vec3& x, double, const double*) {
-      pressure[p] = options_.pressure.at(x, time, curve_);
+      const std::size_t point = first + static_cast<std::size_t>(p);
+      if (pressure)
+        pressure_[point] = options_.pressure.at(x, time, curve_);
+      for (int i = 0; !pressure && i < 3; ++i)
+        traction_[point][i] = options_.vector[static_cast<std::size_t>(i)].at(x, time, curve_);
     });
   }
 }
@@ -192,8 +199,8 @@ void LoadContribution::set_pressures(double time) {
 void LoadContribution::prepare(const NodalFields& fields) {
   if (fields.time == time_)
     return;
-  if (options_.kind == LoadKind::pressure)
-    set_pressures(fields.time);
+  if (options_.follows_surface())
+    set_at_points(fields.time);
   else
     set_forces(fields.time);
   time_ = fields.time;
@@ -204,14 +211,17 @@ void LoadContribution::residual(const NodalFields& fields, const ResidualScatter
   double out[fem::max_cell_nodes * max_fields] = {};
   for (Local c = 0; c < connectivity_.cells(); ++c) {
     const Local first = connectivity_.offsets[c], count = connectivity_.size(c);
-    if (options_.kind == LoadKind::pressure) {
+    if (options_.follows_surface()) {
+      const std::size_t point = static_cast<std::size_t>(c) * max_face_points;
       fem::dispatch_face(faces_[c], [&](auto shape) {
         constexpr int n = decltype(shape)::nodes;
+        const auto& reference = reference_face<decltype(shape)::type>();
         const CurrentFace<n> face(mesh_, nodes_.data() + first, fields);
         Vec3 r[n];
-        pressure_residual(reference_face<decltype(shape)::type>(),
-                          pressure_.data() + static_cast<std::size_t>(c) * max_face_points, face.x,
-                          r);
+        if (options_.kind == LoadKind::pressure)
+          pressure_residual(reference, pressure_.data() + point, face.x, r);
+        else
+          traction_residual(reference, traction_.data() + point, face.x, r);
         for (int a = 0; a < n; ++a)
           for (int i = 0; i < 3; ++i)
             out[a * fields.fields + i] = r[a][i];
@@ -226,17 +236,21 @@ void LoadContribution::residual(const NodalFields& fields, const ResidualScatter
 }
 
 void LoadContribution::tangent(const NodalFields& fields, const TangentScatter& scatter) {
-  if (options_.kind != LoadKind::pressure)
+  if (!options_.follows_surface())
     return;
   TangentScatter displacement = scatter; // adds the displacement part of each node block only
   displacement.fields = 3;
   for (Local c = 0; c < connectivity_.cells(); ++c)
     fem::dispatch_face(faces_[c], [&](auto shape) {
       constexpr int n = decltype(shape)::nodes;
+      const auto& reference = reference_face<decltype(shape)::type>();
       const CurrentFace<n> face(mesh_, nodes_.data() + connectivity_.offsets[c], fields);
+      const std::size_t point = static_cast<std::size_t>(c) * max_face_points;
       double k[9 * n * n];
-      pressure_tangent(reference_face<decltype(shape)::type>(),
-                       pressure_.data() + static_cast<std::size_t>(c) * max_face_points, face.x, k);
+      if (options_.kind == LoadKind::pressure)
+        pressure_tangent(reference, pressure_.data() + point, face.x, k);
+      else
+        traction_tangent(reference, traction_.data() + point, face.x, k);
       displacement.add(c, k);
     });
 }

@@ -191,3 +191,68 @@ TEST(EquationSystem, PredictorMovesTheInteriorWithTheBoundary) {
   box.system.residual(x, product);
   EXPECT_LT(product.norm2(), 1e-14);
 }
+
+// What is prescribed for a time, and what counts from where it is then.
+TEST(EquationSystem, ConstraintsHoldInTheirWindows) {
+  Box box(solid::MaterialModel::neo_hookean);
+  std::vector<assembly::Constraint> constraints;
+  std::vector<std::size_t> first, second; // rows of the two windows
+  for (Local n = 0; n < box.mesh.num_owned; ++n) {
+    const auto row = 3 * std::size_t(box.system.dofs().row_of_node(n));
+    const double z = box.mesh.x[3 * std::size_t(n) + 2];
+    if (z < 1e-12) {
+      constraints.push_back({n, 1, [](double t) { return t; }, {0.0, 1.0}});
+      first.push_back(row + 1);
+    } else if (z > 1.0 - 1e-12) {
+      constraints.push_back({n, 0, [](double t) { return 0.1 * t; }, {1.0, 0.0}, true});
+      second.push_back(row);
+    }
+  }
+  auto& system = box.system;
+  system.set_constraints(constraints);
+  Vector x = box.field(0.05), f(x.getMap());
+  const auto largest = [&](const std::vector<std::size_t>& rows) {
+    system.residual(x, f);
+    const auto view = f.getLocalViewHost(Tpetra::Access::ReadOnly);
+    double most = 0.0;
+    for (const std::size_t row : rows)
+      most = std::max(most, std::fabs(view(row, 0)));
+    return box.mesh.comm.max(most);
+  };
+  const auto values = [&](const std::vector<std::size_t>& rows) {
+    std::vector<double> list;
+    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (const std::size_t row : rows)
+      list.push_back(view(row, 0));
+    return list;
+  };
+  const auto set = [&](double t) {
+    x = box.field(0.05);
+    system.set_time(t);
+    system.apply_constraints(x);
+  };
+  set(0.5);
+  EXPECT_EQ(largest(first), 0.0);
+  EXPECT_GT(largest(second), 1e-3);
+  for (const double value : values(first))
+    EXPECT_EQ(value, 0.5);
+  const std::vector<double> start = values(second);
+  const auto before = system.tangent(x);
+  system.residual(x, f);
+  system.accept(x);
+  for (const double t : {2.0, 1.5}) { // the first of the two is cut
+    set(t);
+    EXPECT_GT(largest(first), 1e-3);
+    EXPECT_EQ(largest(second), 0.0);
+    for (std::size_t i = 0; i < second.size(); ++i)
+      EXPECT_EQ(values(second)[i], start[i] + 0.1 * t);
+    EXPECT_NE(system.tangent(x).get(), before.get());
+    system.reject();
+  }
+  set(1.5);
+  system.residual(x, f);
+  system.accept(x);
+  set(2.0); // it still counts from where the window began
+  for (std::size_t i = 0; i < second.size(); ++i)
+    EXPECT_EQ(values(second)[i], start[i] + 0.1 * 2.0);
+}

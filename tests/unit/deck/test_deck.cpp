@@ -80,6 +80,31 @@ TEST(Deck, AbsentComponentIsFree) {
   EXPECT_THAT(d.displacements[1].components, testing::ElementsAre(false, false, true));
 }
 
+TEST(Deck, WhatHoldsForATime) {
+  const std::string text =
+      "mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
+      "bodies:\n  b: {blocks: [1], material: m}\n"
+      "  r: {blocks: [2], rigid: {free: [z, rx], holds: {h: {z: 2, fix: [rx], curve: c, from: 1, "
+      "relative: true}}}}\n"
+      "displacements: {d: {set: s, y: 2, from: 1, until: 2}, e: {set: s, y: 1, from: 2}}\n"
+      "curves: {c: [[0, 0], [3, 1]]}\ntime: {end: 3}\n";
+  const Deck d = parse_deck(text, "a.yaml");
+  const solid::RigidHold& hold = d.bodies[1].motion.holds[0];
+  EXPECT_THAT(hold.components, testing::ElementsAre(false, false, true, true, false, false));
+  EXPECT_THAT(hold.values, testing::ElementsAre(0, 0, 2, 0, 0, 0));
+  EXPECT_TRUE(hold.relative);
+  EXPECT_EQ(hold.curve, "c");
+  EXPECT_EQ(hold.window, (Window{1.0, 0.0}));
+  const Window first = d.displacements[0].window, second = d.displacements[1].window;
+  EXPECT_EQ(first, (Window{1.0, 2.0}));
+  EXPECT_FALSE(first.overlaps(second));
+  EXPECT_TRUE(first.overlaps(hold.window));
+  EXPECT_TRUE(first.holds(2.0) && !first.holds(1.0) && first.holds(1.001) && !first.holds(2.001));
+  EXPECT_TRUE(Window().holds(0.0) && Window().is_whole_run() && !first.is_whole_run());
+  const std::string written = to_yaml(d);
+  EXPECT_EQ(to_yaml(parse_deck(written, "a.yaml")), written);
+}
+
 TEST(Deck, XmlGivesTheSameDeckAsYaml) {
   const Deck yaml = parse_deck(yaml_scene, "ball.yaml");
   const Deck xml = parse_deck(xml_scene, "ball.xml");

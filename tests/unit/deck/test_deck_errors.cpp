@@ -75,8 +75,10 @@ INSTANTIATE_TEST_SUITE_P(
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
              "augmentation, "
              "penalty_factor, penalty, penalty_curve, update_penalty, friction, friction_curve, "
-             "friction_map, friction_switching, two_pass, tension, tied, tie_distance, offset, "
-             "initial_overlap, tangent, points, reach, "
+             "friction_map, friction_switching, two_pass, tension, tied, tie_distance, tie_gap, "
+             "sticky, "
+             "stick_within, stick_strength, offset, "
+             "initial_overlap, tangent, from, until, points, reach, "
              "projection_margin, segment_updates, multiplier_tolerance, gap_tolerance, gap_limit, "
              "min_augmentations, max_augmentations"},
         Case{1, "", "d.yaml:1: missing key 'mesh' (where the mesh comes from)"},
@@ -101,6 +103,13 @@ INSTANTIATE_TEST_SUITE_P(
              "d.yaml:12: displacements.d: expected at least one of the keys x, y, z, fix"},
         Case{12, "displacements: {d: {set: s, x: 1, fix: [x]}}",
              "d.yaml:12: displacements.d.fix: direction 'x' is prescribed twice"},
+        Case{12, "displacements: {d: {set: s, x: 1, from: 0.5, until: 0.5}}",
+             "d.yaml:12: displacements.d.until: expected more than from"},
+        Case{5, "  ball: {blocks: [1], rigid: {free: [z], holds: {h: {fix: [x], z: 1}}}}",
+             "d.yaml:5: bodies.ball.rigid.holds: 'h' holds component 'x', which is prescribed "
+             "always; list it under 'free'"},
+        Case{5, "  ball: {blocks: [1], rigid: {free: [z], holds: {h: {fix: [z], z: 1}}}}",
+             "d.yaml:5: bodies.ball.rigid.holds.h.fix: component 'z' is prescribed twice"},
         Case{12, "verify: {v: {quantity: newton_iterations, expected: 3}}",
              "d.yaml:12: verify.v: expected at least one of the keys tolerance, "
              "relative_tolerance"},
@@ -187,6 +196,8 @@ INSTANTIATE_TEST_SUITE_P(
              "defined"},
         Case{12, "loads: {l: {force: [1, 2, 3], node_set: s, curve: c}}",
              "d.yaml:12: loads.l.curve: 'c' is not a name under curves; none is defined"},
+        Case{10, "    sticky: true\n    friction: 0.1",
+             "d.yaml:10: contact.pair.sticky: does not go with tied, tension or friction"},
         Case{12, "displacements: {d: {set: s, x: 1, curve: c}}",
              "d.yaml:12: displacements.d.curve: 'c' is not a name under curves; none is defined"},
         Case{12, "verify: {v: {quantity: force_z, place: par, expected: 1, tolerance: 0}}",

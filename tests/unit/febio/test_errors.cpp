@@ -116,15 +116,17 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{18, "<Elements type=\"quad4\" name=\"lower\">",
                "m.feb:18: Mesh/Elements 'lower': elements of type 'quad4' are shells, which abut "
                "lacks; valid: hex8, hex20, hex27, tet4, tet10, penta6"},
-        Broken{38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" type=\"sticky\">",
-               "m.feb:38: Contact/contact 'touch': type 'sticky'; valid: sliding-node-on-facet, "
-               "sliding-facet-on-facet, sliding-elastic, tied-node-on-facet, tied-elastic"},
+        Broken{38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" type=\"stucky\">",
+               "m.feb:38: Contact/contact 'touch': type 'stucky'; valid: sliding-node-on-facet, "
+               "sliding-facet-on-facet, sliding-elastic, tied-node-on-facet, tied-facet-on-facet, "
+               "tied-elastic, sticky; did you mean 'sticky'?"},
         Broken{41, "<smooth_aug>1</smooth_aug>",
-               "m.feb:41: Contact/contact/smooth_aug: multipliers from element stresses; abut "
-               "smooths them by 'multipliers: smoothed'"},
+               "m.feb:41: Contact/contact/smooth_aug: multipliers from the stresses of "
+               "elements: set 0, and 'multipliers: smoothed' in the deck for smooth ones"},
         Broken{41, "<two_pas>1</two_pas>",
                "m.feb:41: Contact/contact/two_pas: not supported here; did you mean 'two_pass'? "
-               "valid: laugon, tolerance, penalty, auto_penalty, two_pass, gaptol, minaug, maxaug, "
+               "valid: max_penalty_sf, penalty_sf, laugon, tolerance, penalty, auto_penalty, "
+               "two_pass, gaptol, minaug, maxaug, "
                "search_tol, seg_up, node_reloc, fric_coeff, search_radius, tension, offset, "
                "flip_primary, flip_secondary, knmult, symmetric_stiffness, update_penalty, "
                "shell_bottom_primary, shell_bottom_secondary, smooth_aug"},

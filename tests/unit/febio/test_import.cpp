@@ -283,6 +283,13 @@ TEST(Import, TiedContact) {
             sides + "    formulation: node_on_facet\n    tied: true\n    tie_distance: 0.2\n"
                     "    enforcement: augmented_lagrangian\n    penalty: 7\n"
                     "    multipliers: per_point\n    projection_margin: 1e-04\n");
+  EXPECT_EQ(contact_with("tied-facet-on-facet", "<penalty>7</penalty>"),
+            sides + "    tied: true\n    tie_distance: 3\n    tie_gap: close\n    penalty: 7\n"
+                    "    projection_margin: 1e-04\n");
+  EXPECT_EQ(contact_with("sticky", "<penalty>7</penalty><search_tolerance>0.01</search_tolerance>"
+                                   "<max_traction>3</max_traction><snap_tol>0.2</snap_tol>"),
+            sides + "    formulation: node_on_facet\n    sticky: true\n    stick_within: 0.2\n"
+                    "    stick_strength: 3\n    penalty: 7\n");
   EXPECT_EQ(contact_with("tied-elastic", "<two_pass>1</two_pass><gaptol>-1</gaptol>"),
             sides + "    formulation: sliding_elastic\n    tied: true\n    tie_distance: 1\n"
                     "    two_pass: true\n    penalty: 2  # twice FEBio's: its two passes add up\n");

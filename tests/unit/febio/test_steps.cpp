@@ -27,9 +27,10 @@ std::map<std::size_t, std::string> two_steps(const std::string& first, const std
 }
 
 std::string moved(const std::string& name, const std::string& dof, const std::string& value,
-                  const std::string& curve) {
+                  const std::string& curve, const std::string& more = "") {
   return "<Boundary><bc name=\"" + name + "\" node_set=\"top\" type=\"prescribed displacement\">" +
-         "<dof>" + dof + "</dof><value lc=\"" + curve + "\">" + value + "</value></bc></Boundary>";
+         "<dof>" + dof + "</dof><value lc=\"" + curve + "\">" + value + "</value>" + more +
+         "</bc></Boundary>";
 }
 
 std::string fixed(const std::string& set) {
@@ -91,11 +92,28 @@ TEST(Steps, WhatIsFixedInAllStepsGivesWayToOne) {
             "curves:\n  LC1_in_step_2: [[0, 0], [1, 0], [1.0000000015, 1], [1.5, 2]]\n");
 }
 
-TEST(Steps, ReleasedDisplacementsAreRefused) {
-  EXPECT_EQ(error_with(two_steps(moved("a", "z", "-0.1", "1"), "")),
-            "m.feb:43: Boundary/bc 'a': it holds in step 1 alone: abut holds a displacement in all "
-            "steps or in none. Let something hold it in the others too, or make a file of each "
-            "step");
+TEST(Steps, DisplacementsOfOneStepHaveAWindow) {
+  EXPECT_EQ(section(scene_with(two_steps(moved("a", "z", "-0.1", "1"), "")).deck, "displacements"),
+            "displacements:\n"
+            "  hold: {set: bottom, fix: [x, y, z]}\n"
+            "  a: {set: top, z: -0.1, curve: LC1, until: 1}\n");
+  EXPECT_EQ(section(scene_with(two_steps("", fixed("top"))).deck, "displacements"),
+            "displacements:\n"
+            "  hold: {set: bottom, fix: [x, y, z]}\n"
+            "  still: {set: top, fix: [x, z], from: 1}\n");
+}
+
+TEST(Steps, RelativeDisplacementsCountFromTheirStep) {
+  const std::string relative = "<relative>1</relative>";
+  // In the first step, or outside of steps, that is where the model is at rest.
+  EXPECT_EQ(section(scene_with(two_steps(moved("a", "z", "-0.1", "1", relative),
+                                         moved("b", "z", "-0.2", "2", relative)))
+                        .deck,
+                    "displacements"),
+            "displacements:\n"
+            "  hold: {set: bottom, fix: [x, y, z]}\n"
+            "  a: {set: top, z: -0.1, curve: LC1, until: 1}\n"
+            "  b: {set: top, z: -0.2, curve: other, from: 1, relative: true}\n");
 }
 
 TEST(Steps, LoadsActInTheirStepAlone) {
@@ -122,22 +140,23 @@ std::string contact(const std::string& parameters) {
          parameters + "</contact></Contact>";
 }
 
-TEST(Steps, ContactOfOneStepHasAPenaltyThereAlone) {
-  const std::string deck = scene_with(two_steps("", contact("<penalty>7</penalty>"))).deck;
-  const std::string late = deck.substr(deck.find("  late:"));
-  EXPECT_NE(late.find("penalty: 7\n    penalty_curve: constant_in_step_2\n"), std::string::npos)
-      << late;
-  EXPECT_NE(deck.find("constant_in_step_2: [[0, 0], [1, 0], [1.0000000015, 1], [1.5, 1]]"),
-            std::string::npos)
-      << deck;
-  EXPECT_EQ(error_with(two_steps("", contact("<laugon>AUGLAG</laugon>"))), "no error");
+TEST(Steps, ContactOfOneStepHasAWindow) {
+  const auto late = [](const std::string& first, const std::string& second) {
+    const std::string deck = scene_with(two_steps(first, second)).deck;
+    const std::string text = deck.substr(deck.find("  late:"));
+    return text.substr(0, text.find("time:"));
+  };
+  EXPECT_EQ(late("", contact("<penalty>7</penalty>")),
+            "  late:\n    primary: \"low face\"\n    secondary: up_face\n"
+            "    formulation: sliding_elastic\n    penalty: 7\n    reach: 1  # FEBio: "
+            "search_radius 1\n    from: 1\n");
   EXPECT_EQ(
-      error_with(two_steps(contact("<laugon>AUGLAG</laugon>"), "")),
-      "m.feb:43: Contact/contact 'late': AUGLAG in one step alone, which is not the last: put "
-      "the contact outside of the steps, or make a file of each step");
-  EXPECT_EQ(error_with(two_steps("", contact("<fric_coeff>0.3</fric_coeff>"))),
-            "m.feb:44: Contact/contact 'late': friction in one step alone: put the contact outside "
-            "of the steps, or make a file of each step");
+      late(contact("<penalty lc=\"1\">7</penalty>"), ""),
+      "  late:\n    primary: \"low face\"\n    secondary: up_face\n"
+      "    formulation: sliding_elastic\n    penalty: 7\n    penalty_curve: LC1\n    reach: 1 "
+      " # FEBio: search_radius 1\n    until: 1\n");
+  for (const char* kind : {"<laugon>AUGLAG</laugon>", "<fric_coeff>0.3</fric_coeff>"})
+    EXPECT_NE(late(contact(kind), "").find("    until: 1\n"), std::string::npos) << kind;
 }
 
 std::string pushed(const std::string& dof, const std::string& value, const std::string& curve) {
@@ -170,10 +189,22 @@ TEST(Steps, RigidBodiesMayFollowACurveForEachComponent) {
       << deck;
 }
 
-TEST(Steps, ReleasedRigidBodiesAreRefused) {
-  EXPECT_EQ(error_with(plate_in_steps(held("xyzuvw"), held("xyuvw"))),
-            "m.feb:43: Rigid 'held': component z of rigid body 'plate' is held in some steps and "
-            "free in others: abut holds it always or never");
+TEST(Steps, ReleasedRigidBodiesAreHeldForATime) {
+  const std::string deck = scene_with(plate_in_steps(held("xyzuvw"), held("xyuvw"))).deck;
+  EXPECT_NE(deck.find("    rigid:\n      free: [z]\n      holds:\n"
+                      "        held: {fix: [z], until: 1}\n"),
+            std::string::npos)
+      << deck;
+}
+
+TEST(Steps, RigidBodiesStopWhereTheyAre) {
+  const std::string deck =
+      scene_with(plate_in_steps(held("xyuvw") + pushed("z", "-0.2", "1"), held("xyzuvw"))).deck;
+  EXPECT_NE(deck.find("      free: [z]\n      holds:\n"
+                      "        z: {z: -0.2, curve: LC1, until: 1}\n"
+                      "        held: {fix: [z], from: 1, relative: true}\n"),
+            std::string::npos)
+      << deck;
 }
 
 TEST(Steps, EachHasAControl) {

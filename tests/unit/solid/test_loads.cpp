@@ -147,7 +147,27 @@ TEST(Loads, PressurePushesInwardsOnCurrentArea) {
   EXPECT_NEAR(sum.force[2], -2.0 * 1.7 * 6.0, 1e-13);
 }
 
-template <fem::FaceType F> void check_pressure_tangent() {
+// A traction keeps its direction and acts on the area that there is.
+TEST(Loads, TractionOnCurrentArea) {
+  std::mt19937 engine(4);
+  const mesh::Mesh mesh = one_element(CellType::hex8, engine, 0.0);
+  LoadOptions o = load(LoadKind::traction, "side5"); // z = 1
+  o.current_area = true;
+  LoadContribution c(mesh, o, {});
+  EXPECT_FALSE(c.symmetric());
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  for (std::size_t i = 0; i < system.u.size(); i += 3)
+    system.u[i] = 0.5 * mesh.x[i];
+  system.evaluate(c, false, 2.0);
+  const Resultant sum(system.residual, mesh.x);
+  const double t[] = {2.0, -3.0, 5.0};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(sum.force[i], 2.0 * t[i] * 6.0, 1e-13);
+}
+
+/// residual(x, r) and tangent(x, k) of a face with nodes x.
+template <fem::FaceType F, class Residual, class Tangent>
+void check_face_tangent(const Residual& residual, const Tangent& tangent) {
   constexpr int n = ReferenceFace<F>::nodes, size = 3 * n;
   using Ad = Sacado::Fad::SFad<double, size>;
   std::mt19937 engine(9);
@@ -162,12 +182,9 @@ template <fem::FaceType F> void check_pressure_tangent() {
       x_ad[a][i] = Ad(size, 3 * a + i, x[a][i]);
     }
   }
-  double pressure[ReferenceFace<F>::points]; // varies over the face
-  for (int p = 0; p < ReferenceFace<F>::points; ++p)
-    pressure[p] = 1.7 + 0.2 * p;
-  pressure_residual(reference_face<F>(), pressure, x_ad, r);
+  residual(x_ad, r);
   double k[size * size];
-  pressure_tangent(reference_face<F>(), pressure, x, k);
+  tangent(x, k);
   double largest = 0.0, asymmetry = 0.0;
   for (int p = 0; p < size; ++p)
     for (int q = 0; q < size; ++q) {
@@ -177,6 +194,32 @@ template <fem::FaceType F> void check_pressure_tangent() {
     }
   EXPECT_GT(largest, 0.01);
   EXPECT_GT(asymmetry, 0.01);
+}
+
+template <fem::FaceType F> void check_pressure_tangent() {
+  double pressure[ReferenceFace<F>::points]; // varies over the face
+  for (int p = 0; p < ReferenceFace<F>::points; ++p)
+    pressure[p] = 1.7 + 0.2 * p;
+  check_face_tangent<F>(
+      [&](const auto* x, auto* r) { pressure_residual(reference_face<F>(), pressure, x, r); },
+      [&](const Vec3* x, double* k) { pressure_tangent(reference_face<F>(), pressure, x, k); });
+}
+
+template <fem::FaceType F> void check_traction_tangent() {
+  Vec3 traction[ReferenceFace<F>::points];
+  for (int p = 0; p < ReferenceFace<F>::points; ++p)
+    traction[p] = {{1.7 + 0.2 * p, -0.3, 0.5 - 0.1 * p}};
+  check_face_tangent<F>(
+      [&](const auto* x, auto* r) { traction_residual(reference_face<F>(), traction, x, r); },
+      [&](const Vec3* x, double* k) { traction_tangent(reference_face<F>(), traction, x, k); });
+}
+
+TEST(Loads, TractionTangentMatchesAutomaticDifferentiation) {
+  check_traction_tangent<fem::FaceType::quad4>();
+  check_traction_tangent<fem::FaceType::quad8>();
+  check_traction_tangent<fem::FaceType::quad9>();
+  check_traction_tangent<fem::FaceType::tri3>();
+  check_traction_tangent<fem::FaceType::tri6>();
 }
 
 TEST(Loads, PressureTangentMatchesAutomaticDifferentiation) {

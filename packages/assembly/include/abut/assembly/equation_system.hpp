@@ -17,6 +17,8 @@ struct Constraint {
   Local node = 0; ///< owned mesh node
   int field = 0;
   std::function<double(double)> value;
+  Window window{};       ///< outside of it the unknown is free
+  bool relative = false; ///< the value counts from that of the last state before the window
 };
 
 /// Work done from outside between the accepted states, by the trapezoidal rule [energy].
@@ -52,7 +54,8 @@ public:
   void set_constraints(std::vector<Constraint> constraints);
   /// The bodies whose nodes the DofMap knows, in its order; before the first evaluation.
   void set_rigid_bodies(std::vector<RigidBody> bodies);
-  /// Loads and prescribed values from now on are those of load parameter t.
+  /// Loads and prescribed values from now on are those of load parameter t; which unknowns are
+  /// prescribed may change.
   void set_time(double t);
   double time() const { return time_; }
   /// A contribution's state changed by other means than x and t (multipliers): evaluate anew.
@@ -118,6 +121,7 @@ private:
   TangentMismatch compare(std::size_t part, const Vector& x, const Vector& d, double step);
   void assemble_tangent();
   RCP<const Vector> column_values(const Vector& owned) const;
+  bool follow_windows();
   void mark_constrained();
   void copy_constrained(Matrix& matrix) const;
   NodalFields fields() const;

@@ -2,12 +2,22 @@
 #pragma once
 
 #include "abut/core/tensor.hpp"
+#include "abut/core/window.hpp"
 
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace abut::assembly {
+
+/// A component of a rigid body that is an unknown but for a part of the run.
+struct RigidHold {
+  int component = 0; ///< 0..5
+  std::function<double(double)> value;
+  Window window;
+  bool relative = false; ///< the value counts from where the body is before the window
+};
 
 /// A set of nodes that moves as one: translation of a center and rotation about it. Each of the six
 /// components (translation along x, y, z [length], rotation vector [rad]) is an unknown or follows
@@ -18,6 +28,7 @@ struct RigidBody {
   std::string name;
   Vec3 center = Vec3::zero();           ///< reference configuration [length]
   std::array<Function, 6> prescribed{}; ///< empty: an unknown
+  std::vector<RigidHold> holds;         ///< of unknowns
   Vec3 force = Vec3::zero();            ///< on the center [force]
   Vec3 moment = Vec3::zero();           ///< about the center [force length]
   Function load_factor;                 ///< of force and moment; empty: 1

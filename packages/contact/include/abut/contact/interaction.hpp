@@ -123,6 +123,8 @@ public:
   void set_prescribed(const std::vector<char>& directions);
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t) { end_ = t; }
+  /// Whether the last prepared load parameter lies in options().window.
+  bool acts() const { return acts_; }
 
   const char* name() const override { return options_.name.c_str(); }
   Phase phase() const override { return Phase::contact; }
@@ -143,6 +145,10 @@ public:
   /// They become the multipliers, of stick and slip alike. Collective. Prepare again before the
   /// next residual, which then holds every point's status once.
   void augment();
+
+  /// Sticky points that pull harder than they can come off; true when there are any, and the solve
+  /// must be done again. Collective.
+  bool tear();
 
   ContactSummary summary() const; ///< Collective.
   NodalSums nodal_sums() const;
@@ -177,6 +183,9 @@ private:
   PointShape shape(Local face, int point) const;
   void current_coordinates(const NodalFields& fields);
   void collect_if_moved();
+  void begin();
+  void rest();
+  void forget();
   void start();
   void start_point(Local face, int point);
 
@@ -203,12 +212,16 @@ private:
   void keep_iterate();
   /// The point as the kernels take it; y_previous must live as long as the result.
   ContactPoint contact_point(Local face, int point, const Vec3* y_previous) const;
-  double effective_gap(const PointState& state) const { return state.gap - state.offset; }
+  double effective_gap(const PointState& state) const {
+    return state.gap - state.offset - state.history.rest.component[2];
+  }
+  Vec3 tied_rest(const PointState& state, const PrimaryPoint<double>& at) const;
   double present_offset(const PointState& state) const;
 
   // Multipliers::dual
   using AddRow = std::function<void(Local node, Global column, const NodeRow& row)>;
   void make_dual();
+  void set_held();
   DualPoint read_point(Local face, int point);
   void evaluate_nodes();
   void take_traction(Local face, int point);
@@ -296,7 +309,9 @@ private:
   std::vector<double> stretch_; ///< (primary faces) current over reference area at the last step
   std::vector<Vec3> x_primary_, x_primary_previous_;       ///< (face nodes, in order of the faces)
   std::vector<double> x_secondary_, x_secondary_previous_; ///< (nodes, 3)
-  bool started_ = false;
+  bool placed_ = false;                                    ///< there is a configuration
+  bool acts_ = true;
+  bool started_ = false; ///< the points have their history
   bool exact_tangent_ = false;
   bool established_ = false; ///< some point was in contact at the last converged step
   bool predicting_ = false;  ///< that step has contact, and the next one is being predicted

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/window.hpp"
+
 #include <string>
 
 namespace abut::contact {
@@ -30,6 +32,12 @@ enum class InitialOverlap {
   keep,    ///< an overlap of the meshes is resolved at once
   resolve, ///< pushed out while t rises to its end
   adjust,  ///< taken as no overlap: strain free
+};
+
+/// What becomes of the distance that a tied point has from its partner at the start.
+enum class TieGap {
+  keep,  ///< it strains nothing
+  close, ///< the point is pulled on its partner
 };
 
 enum class Tangent {
@@ -65,6 +73,7 @@ struct ContactOptions {
   std::string name;
   std::string primary;   ///< side set that carries the integration points
   std::string secondary; ///< side set that is projected on; may be the same one: self-contact
+  Window window;         ///< when there is contact; partners of ties are those at its beginning
   PrimarySide primary_side = PrimarySide::as_given;
   Formulation formulation = Formulation::facet_on_facet;
   Enforcement enforcement = Enforcement::penalty;
@@ -82,11 +91,15 @@ struct ContactOptions {
   FrictionMap friction_map = FrictionMap::automatic;
   FrictionSwitching friction_switching = FrictionSwitching::primal_dual;
 
-  bool two_pass = false;     ///< both sides carry points, each half of the traction
-  bool tension = false;      ///< a point that is in contact may pull
-  bool tied = false;         ///< points close to their partner at the start stay there
-  double tie_distance = 0.1; ///< what is close, in face sizes [1]
-  double offset = 0.0;       ///< gap that counts as closed, e.g. a shell's half thickness [length]
+  bool two_pass = false; ///< both sides carry points, each half of the traction
+  bool tension = false;  ///< a point that is in contact may pull
+  bool tied = false;     ///< points close to their partner at the start stay there
+  TieGap tie_gap = TieGap::keep;
+  double tie_distance = 0.1;   ///< what is close, in face sizes [1]
+  bool sticky = false;         ///< points that touch or overlap are tied from then on
+  double stick_within = 0.0;   ///< gap up to which a sticky point touches [length]
+  double stick_strength = 0.0; ///< normal tension that a sticky point stands; 0: any [pressure]
+  double offset = 0.0; ///< gap that counts as closed, e.g. a shell's half thickness [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
 
   int points = 0; ///< integration points per direction; 0: 2 on linear faces, 3 on quadratic
@@ -117,14 +130,16 @@ struct ContactOptions {
   }
   /// Whether the next multipliers are made of several solves.
   bool accelerates() const {
-    return friction == 0.0 && !tied && !tension &&
+    return friction == 0.0 && !has_anchors() && !tension &&
            (augmentation == AugmentationRule::anderson ||
             (augmentation == AugmentationRule::automatic && multipliers != Multipliers::per_point));
   }
+  /// Whether points stay with one place of the secondary, without friction.
+  bool has_anchors() const { return tied || sticky; }
   bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
   /// Whether these options go with dual multipliers.
   bool goes_dual() const {
-    return !tied && !tension && tangent != Tangent::automatic &&
+    return !has_anchors() && !tension && tangent != Tangent::automatic &&
            friction_map != FrictionMap::inclined_ray && friction_map != FrictionMap::literal;
   }
   FrictionMap map() const {

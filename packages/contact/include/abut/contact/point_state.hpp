@@ -14,7 +14,9 @@ struct PointHistory {
   StoredTraction carried;  ///< tangential multiplier or converged traction
   Global anchor = -1;      ///< id of the secondary face that holds the anchor; -1: none
   double anchor_xi[2] = {0.0, 0.0};
+  StoredTraction rest;     ///< way to the anchor that strains nothing, offset taken off [length]
   bool in_contact = false; ///< at the last converged step
+  bool torn = false;       ///< a sticky point that has come off in this step
   double gap = 0.0;        ///< then [length]
   Vec3 shear{{0, 0, 0}};   ///< traction along the contact then [pressure]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]

@@ -3,6 +3,7 @@
 
 #include "abut/core/tensor.hpp"
 #include "abut/core/types.hpp"
+#include "abut/core/window.hpp"
 #include "abut/fem/cell.hpp"
 
 #include <array>
@@ -93,6 +94,7 @@ struct Displacement {
   int step = -1; ///< in which alone it holds; -1: in all
   std::array<bool, 3> components{};
   Value value;
+  bool relative = false; ///< to where the nodes are when the step begins; false in the first one
 };
 
 /// Nodes that move with a rigid body.
@@ -108,8 +110,9 @@ struct RigidCondition {
   int line = 0;
   int step = -1;
   std::array<bool, 6> components{};
-  Value value;        ///< zero for fixed ones
-  bool fixed = false; ///< a prescribed one wins over it
+  Value value;           ///< zero for fixed ones
+  bool fixed = false;    ///< a prescribed one wins over it
+  bool relative = false; ///< as above; what is fixed stays where it is
 };
 
 struct RigidLoad {
@@ -118,6 +121,7 @@ struct RigidLoad {
   int step = -1;
   int component = 0; ///< as above: force, then moment
   Value value;
+  bool follower = false; ///< turns with the body
 };
 
 struct Load {
@@ -127,6 +131,7 @@ struct Load {
   int line = 0;
   int step = -1;
   std::array<Value, 3> vector{}; ///< pressure in the first
+  bool current_area = false;     ///< of a traction
 };
 
 struct Contact {
@@ -137,6 +142,7 @@ struct Contact {
 
   double number(const char* key) const { return values.at(key).number; }
   bool flag(const char* key) const { return number(key) != 0.0; }
+  bool is_sticky() const { return type == "sticky"; }
   bool is_tied() const { return type.compare(0, 5, "tied-") == 0; }
 };
 
@@ -187,6 +193,10 @@ struct Model {
   /// Time at which a step begins; that after the last one is the end.
   double start(std::size_t step) const;
   double end() const { return start(steps.size()); }
+  /// The time of steps first to last.
+  Window window(std::size_t first, std::size_t last) const {
+    return {start(first), last + 1 < steps.size() ? start(last + 1) : 0.0};
+  }
   /// The course of a value that holds in this step alone and else is zero; -1: in all.
   Course course(const Value& value, int step) const;
   /// "FILE:LINE" to begin a message.

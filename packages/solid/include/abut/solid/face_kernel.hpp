@@ -65,6 +65,47 @@ KOKKOS_INLINE_FUNCTION void pressure_residual(const ReferenceFace<F>& face, cons
   }
 }
 
+/// Residual r_a = -int t N_a da of a traction (points) per area of the current face x.
+template <fem::FaceType F, class T>
+KOKKOS_INLINE_FUNCTION void traction_residual(const ReferenceFace<F>& face, const Vec3* traction,
+                                              const Vec<T, 3>* x, Vec<T, 3>* r) {
+  constexpr int n = ReferenceFace<F>::nodes;
+  for (int a = 0; a < n; ++a)
+    r[a] = Vec<T, 3>::zero();
+  for (int p = 0; p < ReferenceFace<F>::points; ++p) {
+    Vec<T, 3> t1, t2;
+    face_tangents(face, p, x, t1, t2);
+    const T area = face.weight[p] * norm(cross(t1, t2));
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        r[a][i] -= face.N[p][a] * traction[p][i] * area;
+  }
+}
+
+/// Derivative k (3n, 3n) of traction_residual, node first, row by row; not symmetric:
+/// k_ab = -int N_a t (N_b,xi x,eta x n + N_b,eta n x x,xi) dxi deta with the unit normal n.
+template <fem::FaceType F>
+KOKKOS_INLINE_FUNCTION void traction_tangent(const ReferenceFace<F>& face, const Vec3* traction,
+                                             const Vec3* x, double* k) {
+  constexpr int n = ReferenceFace<F>::nodes;
+  for (int i = 0; i < 9 * n * n; ++i)
+    k[i] = 0.0;
+  for (int p = 0; p < ReferenceFace<F>::points; ++p) {
+    Vec3 t1, t2;
+    face_tangents(face, p, x, t1, t2);
+    const Vec3 c = cross(t1, t2), normal = (1.0 / norm(c)) * c;
+    const Vec3 by_xi = cross(t2, normal), by_eta = cross(normal, t1);
+    for (int b = 0; b < n; ++b) {
+      const Vec3 stretch = face.dN[p][b][0] * by_xi + face.dN[p][b][1] * by_eta;
+      for (int a = 0; a < n; ++a)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            k[(3 * a + i) * 3 * n + 3 * b + j] -=
+                face.weight[p] * face.N[p][a] * traction[p][i] * stretch[j];
+    }
+  }
+}
+
 /// Derivative k (3n, 3n) of pressure_residual, node first, row by row; not symmetric:
 /// k_ab = int p N_a (N_b,eta [x,xi]x - N_b,xi [x,eta]x) dxi deta with [v]x w = v x w.
 template <fem::FaceType F>

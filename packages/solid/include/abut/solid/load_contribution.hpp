@@ -21,7 +21,7 @@ public:
 
   const char* name() const override { return options_.name.c_str(); }
   const Connectivity& connectivity() const override { return connectivity_; }
-  bool symmetric() const override { return options_.kind != LoadKind::pressure; }
+  bool symmetric() const override { return !options_.follows_surface(); }
 
   /// Evaluates the load at its integration points when the time changed. Throws InputError where an
   /// expression is not finite.
@@ -37,7 +37,7 @@ private:
   template <class Visit> void visit_points(Local cell, const Visit& visit) const;
   void set_shares();
   void set_forces(double time);
-  void set_pressures(double time);
+  void set_at_points(double time);
 
   const mesh::Mesh& mesh_;
   LoadOptions options_;
@@ -50,6 +50,7 @@ private:
   std::vector<double> share_;    ///< dead loads: int N_a of each entry (1 for nodal forces)
   std::vector<double> force_;    ///< dead loads: (entries, 3) external force
   std::vector<double> pressure_; ///< pressure: (cells, max_face_points)
+  std::vector<Vec3> traction_;   ///< traction per current area: (cells, max_face_points)
 };
 
 } // namespace abut::solid

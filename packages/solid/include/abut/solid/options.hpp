@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/core/tensor.hpp"
+#include "abut/core/window.hpp"
 
 #include <array>
 #include <functional>
@@ -83,6 +84,16 @@ struct MaterialOptions {
   }
 };
 
+/// Components of a rigid body's motion that are prescribed for a part of the run.
+struct RigidHold {
+  std::string name;
+  std::array<bool, 6> components{}; ///< x, y, z, rx, ry, rz
+  std::array<double, 6> values{};   ///< [length, rad]
+  std::string curve;                ///< empty: the load parameter itself
+  Window window;
+  bool relative = false; ///< values count from where the body is at the beginning of the window
+};
+
 /// Motion of a rigid body: displacement of its center and rotation vector about it, each times a
 /// curve, but for the components that are free; and loads on the center, for free components.
 struct RigidMotion {
@@ -92,6 +103,7 @@ struct RigidMotion {
   std::string curve;                    ///< empty: the load parameter itself
   std::array<std::string, 6> curves{};  ///< of single components; empty: curve
   std::array<bool, 6> free{};           ///< components that are unknowns: x, y, z, rx, ry, rz
+  std::vector<RigidHold> holds;         ///< of free components
   std::array<double, 3> force{};        ///< on the center [force]
   std::array<double, 3> moment{};       ///< about the center [force length]
   bool follower = false;                ///< force and moment turn with the body
@@ -121,10 +133,12 @@ struct DisplacementOptions {
   std::array<bool, 3> components{};
   std::array<Amount, 3> values{}; ///< [length]
   std::string curve;
+  Window window;         ///< when the nodes are held
+  bool relative = false; ///< values count from where the nodes are at the beginning of the window
 };
 
 enum class LoadKind {
-  traction,   ///< dead force per reference area of a side set, vector
+  traction,   ///< dead force per area of a side set, vector
   pressure,   ///< follower pressure per current area of a side set, positive pushes inwards
   body_force, ///< dead force per reference volume of a block, vector
   force,      ///< dead force on each node of a node set, vector
@@ -135,8 +149,14 @@ struct LoadOptions {
   LoadKind kind = LoadKind::traction;
   std::string place; ///< side set, block or node set
   std::array<Amount, 3> vector{};
+  bool current_area = false; ///< a traction is per current area, instead of per reference area
   Amount pressure;
   std::string curve;
+
+  /// Whether forces depend on how the surface deforms.
+  bool follows_surface() const {
+    return kind == LoadKind::pressure || (kind == LoadKind::traction && current_area);
+  }
 };
 
 } // namespace abut::solid
