@@ -177,7 +177,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{5, "  ball: {blocks: [1, 1], material: steel}",
              "d.yaml:5: bodies.ball.blocks: block '1' already belongs to body 'ball'"},
         Case{5, "  ball: {blocks: [1], rigid: {}}",
-             "d.yaml:4: bodies: all bodies are rigid; expected one with a material"},
+             "d.yaml:4: bodies: the motion of all bodies is prescribed; expected one with a "
+             "material, or a rigid one with components that are 'free'"},
         Case{5, "", "d.yaml:4: bodies: expected at least one, got nothing"},
         Case{9, "    secondary: top\n    two_pass: true",
              "d.yaml:10: contact.pair.two_pass: self-contact of 'top' has points on both sides "
