@@ -350,11 +350,12 @@ private:
       if (!joint.is_spring())
         continue;
       const Vec3 along = joint.end - joint.origin;
-      for (int i = 0; i < 3; ++i) // a spring without length resists every direction
-        if (norm(along) == 0.0)
+      const double length = norm(along);
+      if (length > joint.free_length || length == 0.0) // it then resists every direction
+        for (int i = 0; i < 3; ++i)
           connect(joint, unit(i), false);
-      if (norm(along) > 0.0)
-        connect(joint, (1.0 / norm(along)) * along, false);
+      else
+        connect(joint, (1.0 / length) * along, false);
     }
   }
 

@@ -56,6 +56,8 @@ void EquationSystem::set_rigid_joints(std::vector<RigidJoint> joints) {
   joint_constraints_ = joints_->constraints();
   mark_constrained();
   prepared_ = false;
+  joints_scaled_ = joints_->empty();
+  scale_joints_ = !joints_scaled_;
 }
 
 void EquationSystem::mark_constrained() {
@@ -69,6 +71,7 @@ void EquationSystem::mark_constrained() {
 void EquationSystem::set_time(double t) {
   time_ = t;
   prepared_ = false;
+  scale_joints_ = !joints_scaled_;
 }
 
 bool EquationSystem::symmetric() const {
@@ -158,18 +161,23 @@ void EquationSystem::prepare(const Vector& x) {
   update_pattern();
   rigid_->follow(pattern_);
   prepared_ = true;
-  if (!joints_->empty() && !joints_->has_stiffness())
+  if (scale_joints_)
     scale_joints();
 }
 
-/// Joints are as stiff as what stiffness there is; without any, their scale does not matter.
+/// Joints are as stiff as what stiffness there is, or else loads over the size of their bodies.
+/// While there is nothing, multipliers are zero and their scale may change from step to step.
 void EquationSystem::scale_joints() {
+  scale_joints_ = false;
   assemble_tangent();
   double largest = 0.0;
   for (const double k : pattern_.diagonal(raw_values_.data()))
     largest = std::max(largest, std::fabs(k));
   largest = dofs_.mesh().comm.max(largest);
-  joints_->set_stiffness(largest > 0.0 ? largest : rigid_->load_stiffness());
+  if (largest == 0.0)
+    largest = std::max(rigid_->load_stiffness(), joints_->load_stiffness());
+  joints_scaled_ = largest > 0.0;
+  joints_->set_stiffness(joints_scaled_ ? largest : 1.0);
 }
 
 void EquationSystem::update_pattern() {

@@ -226,7 +226,7 @@ double RigidBodies::load_stiffness() const {
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     largest = std::max(largest, (norm(bodies_[b].force) + norm(bodies_[b].moment) / length_[b]) /
                                     length_[b]);
-  return largest > 0.0 ? largest : 1.0;
+  return largest;
 }
 
 void RigidBodies::sum_forces() {

@@ -66,7 +66,7 @@ public:
   void clear_forces() { force_.assign(12 * bodies_.size(), 0.0); }
   /// Adds minus the bodies' loads at t to their owned rows.
   void add_loads(double t, double* residual) const;
-  /// Largest load over its body's size, or 1 where there are none [force/length].
+  /// Largest load over its body's size [force/length].
   double load_stiffness() const;
   /// Sums the forces on the nodes over the ranks. Collective.
   void sum_forces();

@@ -146,6 +146,16 @@ std::vector<RowConstraint> RigidJoints::constraints() const {
   return result;
 }
 
+double RigidJoints::load_stiffness() const {
+  double largest = 0.0;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    for (const std::size_t k : {0u, 1u})
+      if (role(j, 3 * k + 2) == Role::loaded)
+        largest = std::max(largest, std::fabs(joints_[j].load[k](time_)) /
+                                        std::pow(length_[j], k == 0 ? 1 : 2));
+  return largest;
+}
+
 std::vector<double> RigidJoints::multipliers(const Vector& x) const {
   std::vector<double> values(6 * joints_.size(), 0.0);
   if (values.empty())

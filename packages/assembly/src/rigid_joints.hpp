@@ -14,7 +14,7 @@ namespace abut::assembly {
 /// The joints of an EquationSystem. A joint that holds or loads components has two block rows: six
 /// multipliers as unknowns, and as equations the components that it holds. What the others hold
 /// already in the reference configuration is left out; the multiplier of a free component is
-/// prescribed by its load. Multipliers are lengths and equations forces by a stiffness, set once.
+/// prescribed by its load. Multipliers are lengths and equations forces by a stiffness.
 class RigidJoints {
 public:
   /// The bodies must outlive this object. Throws InputError for an axis without direction.
@@ -24,9 +24,10 @@ public:
   bool have_unknowns() const;
   /// Multipliers that are no unknowns. They read the stiffness: not before it is set.
   std::vector<RowConstraint> constraints() const;
-  bool has_stiffness() const { return stiffness_ > 0.0; }
   /// The stiffness that scales multipliers and equations [force/length].
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
+  /// Largest load of the trial state over its joint's size [force/length].
+  double load_stiffness() const;
 
   /// (joints,6) multipliers of all ranks, in the unit of the unknowns. Collective.
   std::vector<double> multipliers(const Vector& x) const;

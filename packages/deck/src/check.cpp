@@ -111,7 +111,7 @@ private:
       fail(path + ".to", "the spring has no length: move its points apart, or give "
                          "'free_length: 0'");
     for (const std::string& word : joint.bodies)
-      if (word != solid::JointOptions::ground)
+      if (word != solid::JointOptions::ground || has_body(word))
         rigid_body(path + ".bodies", word);
     if (deck_.linear.method == solver::LinearMethod::krylov &&
         joint.kind != solid::JointKind::spring)
@@ -122,6 +122,11 @@ private:
     if (word.empty())
       fail(path, "missing key 'place' (the rigid body)");
     rigid_body(path + ".place", word);
+  }
+
+  bool has_body(const std::string& word) const {
+    return std::any_of(deck_.bodies.begin(), deck_.bodies.end(),
+                       [&](const auto& body) { return body.name == word; });
   }
 
   void rigid_body(const std::string& path, const std::string& word) const {

@@ -30,6 +30,10 @@ public:
       free_components(b);
     for (const RigidLoad& l : model_.rigid_loads)
       load(l);
+    for (const RigidConnector& c : model_.connectors)
+      for (const std::string& material : c.bodies)
+        if (RigidBody* body = find(material))
+          body->is_jointed = true;
     check_body_loads();
     for (RigidBody& body : result_.bodies)
       if (body.turns() || body.is_loaded())

@@ -152,6 +152,7 @@ private:
   std::unique_ptr<RigidJoints> joints_;
   double time_ = 0.0;
   bool prepared_ = false;
+  bool joints_scaled_ = true, scale_joints_ = false;
   bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
   std::vector<double> u_;          ///< (N, fields) of the last prepare
   std::vector<double> raw_values_; ///< owned and shared values, constraints not applied

@@ -118,7 +118,7 @@ enum class JointKind {
 
 /// What connects two rigid bodies.
 struct JointOptions {
-  static constexpr const char* ground = "ground"; ///< the name of what never moves
+  static constexpr const char* ground = "ground"; ///< what never moves, but for a body of this name
 
   std::string name;
   JointKind kind = JointKind::revolute;
