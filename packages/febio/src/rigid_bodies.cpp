@@ -3,6 +3,7 @@
 #include "deck_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace abut::febio {
@@ -208,8 +209,9 @@ private:
     if (!(mass > 0.0))
       return Vec3::zero();
     Vec3 center = 1.0 / mass * moment;
+    const double noise = 1e-12 * norm(center);
     for (double& x : center.v)
-      x = rounded(x, 12); // the digits that are known
+      x = std::abs(x) > noise ? rounded(x, 12) : 0.0; // the digits that are known
     return center;
   }
 
