@@ -17,6 +17,13 @@ void read_time_stepper(Element stepper, Step& step) {
                  "abut has its own rule for the size of steps");
 }
 
+void read_solver(Element solver, Step& step) {
+  solver.attribute("type");
+  step.displacement_tolerance = solver.number_or("dtol", step.displacement_tolerance);
+  step.energy_tolerance = solver.number_or("etol", step.energy_tolerance);
+  solver.ignore_rest("abut has its own Newton method");
+}
+
 } // namespace
 
 void read_control(Element section, Model& model) {
@@ -37,7 +44,8 @@ void read_control(Element section, Model& model) {
     section.required_child("step_size").fail("expected a number > 0");
   if (auto stepper = section.child("time_stepper"))
     read_time_stepper(*stepper, step);
-  section.ignore("solver", "abut has its own Newton method and tolerances");
+  if (auto solver = section.child("solver"))
+    read_solver(*solver, step);
   section.ignore({"plot_zero_state", "plot_range", "plot_level", "output_level", "plot_stride",
                   "output_stride", "adaptor_re_solve", "title"},
                  "abut writes every converged step");
