@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{
             6, "contct:",
-            "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, "
+            "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, joints, "
             "displacements, loads, curves, contact, time, newton, linear_solver, output, trilinos, "
             "check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
