@@ -9,6 +9,12 @@ namespace abut::app {
 
 namespace {
 
+/// A spring may be stretched at the start.
+double initial_energy(const assembly::RigidJoint& joint) {
+  const double stretch = norm(joint.end - joint.origin) - joint.free_length;
+  return joint.is_spring() ? 0.5 * joint.stiffness * stretch * stretch : 0.0;
+}
+
 Energy energy(const Model& m, const State& s) {
   Energy e;
   const assembly::ExternalWork& work = m.equations->external_work();
@@ -16,8 +22,8 @@ Energy energy(const Model& m, const State& s) {
   for (const solid::ElementFields& block : s.elements)
     e.stored += block.total_energy();
   e.stored = m.comm.sum(e.stored);
-  for (const auto& joint : s.joints)
-    e.stored += joint.energy;
+  for (std::size_t j = 0; j < s.joints.size(); ++j)
+    e.stored += s.joints[j].energy - initial_energy(m.joints[j]);
   for (const auto& c : s.contacts) {
     e.penalty += c.penalty_energy;
     e.friction += c.dissipation;

@@ -43,6 +43,17 @@ RigidJoint::Function history(const deck::Deck& deck, const std::optional<solid::
   return [amount = *amount, factor, position](double t) { return amount.at(position, t, factor); };
 }
 
+std::function<Vec3(double)> history(const deck::Deck& deck,
+                                    const std::optional<std::array<solid::Amount, 3>>& amounts,
+                                    const std::string& curve, const Vec3& position) {
+  if (!amounts)
+    return {};
+  std::array<RigidJoint::Function, 3> each;
+  for (std::size_t i = 0; i < 3; ++i)
+    each[i] = history(deck, std::optional<solid::Amount>((*amounts)[i]), curve, position);
+  return [each](double t) { return Vec3{{each[0](t), each[1](t), each[2](t)}}; };
+}
+
 RigidJoint make_joint(const deck::Deck& deck, const solid::JointOptions& o) {
   RigidJoint joint;
   joint.name = o.name;
@@ -60,9 +71,11 @@ RigidJoint make_joint(const deck::Deck& deck, const solid::JointOptions& o) {
                   history(deck, o.rotation, o.curve, joint.origin)};
   joint.load = {history(deck, o.force, o.load_curve, joint.origin),
                 history(deck, o.moment, o.load_curve, joint.origin)};
+  joint.turn = history(deck, o.rotation_vector, o.curve, joint.origin);
+  joint.couple = history(deck, o.moment_vector, o.load_curve, joint.origin);
   const std::array<bool, 6> free = free_components(o.kind);
   for (std::size_t i = 0; i < 6; ++i)
-    joint.held[i] = !free[i] || (i % 3 == 2 && joint.motion[i / 3]);
+    joint.held[i] = !free[i] || joint.turn || (i % 3 == 2 && joint.motion[i / 3]);
   return joint;
 }
 

@@ -247,7 +247,7 @@ class Springs(Scene):
         self.close(found["spring_translation"], length - free, POSITION)
         self.close(vector(found, "spring_force"), [-load, load / x * height, 0], FORCE * load)
         self.close(vector(found, "guide_force"), [0, -load / x * height, 0], FORCE * load)
-        stored = 0.5 * stiffness * (length - free)**2
+        stored = 0.5 * stiffness * ((length - free)**2 - (height - free)**2)
         self.close(found["energy_stored"], stored, FORCE)
         self.assertEqual(result.summary["joints"]["spring"]["translation"],
                          found["spring_translation"])
@@ -290,6 +290,62 @@ class Springs(Scene):
         self.close(vector(found, "ball_moment"), 0, 0)
         self.close(moment, 0, FORCE)
         self.assertGreater(numpy.linalg.norm(force), 0.5)
+
+    def ball(self, **joint):
+        center = numpy.array([0.5, 0.2, 0.7])
+        mesh = mesh_of({"arm": brick((0, 0, 0), 0.2), "body": brick(center, 0.3)})
+        deck = {"bodies": {"arm": {"blocks": ["arm"],
+                                   "rigid": {"rotation": [0, 0, 0.9], "curve": "early"}},
+                           "body": {"blocks": ["body"],
+                                    "rigid": {"free": FREE, "center": list(center)}}},
+                "joints": {"ball": {"kind": "spherical", "bodies": ["arm", "body"],
+                                    "origin": [0, 0, 0.4], **joint}},
+                "curves": {"early": [[0, 0], [0.5, 1]]}, "time": {"steps": 8}}
+        return mesh, deck, center
+
+    def test_driven_ball(self):
+        """A rotation vector in the directions of an arm that turned before; the work against a
+        moment on the body, trapezoidal rule."""
+        vector_at_end = numpy.array([0.6, -1.5, 1.0])
+        mesh, deck, center = self.ball(rotation_vector=[f"{v} * max(0, 2 * t - 1)"
+                                                        for v in vector_at_end])
+        result = self.solve(mesh, deck)
+        found = result.fields.globals()
+        arm = {f"arm_rotation_{i}": v for i, v in zip("xyz", (0, 0, 0.9))}
+        inner = {f"own_rotation_{i}": v for i, v in zip("xyz", vector_at_end)}
+        for e in numpy.eye(3):
+            self.close(turned(found, "body", e), turned(arm, "arm", turned(inner, "own", e)),
+                       POSITION)
+        self.assertAlmostEqual(found["ball_rotation"], numpy.linalg.norm(vector_at_end),
+                               delta=POSITION)
+        at = numpy.array([0, 0, 0.4])
+        moved = at + turned(arm, "arm", turned(inner, "own", center - at))
+        self.close(center + vector(found, "body_displacement"), moved, POSITION)
+
+    def test_ball_under_a_moment(self):
+        """A moment fixed in space against springs: the moment and what they store."""
+        moment = numpy.array([0.2, -0.3, 0.25])
+        left = []
+        for steps in (4, 8):
+            mesh, deck, center = self.ball(moment_vector=list(moment))
+            deck["bodies"]["arm"]["rigid"] = {}
+            deck["time"]["steps"] = steps
+            for i in range(3):
+                tip, to = center + 0.5 * numpy.eye(3)[i], numpy.eye(3)[(i + 1) % 3]
+                deck["joints"][f"s{i}"] = {"kind": "spring", "bodies": ["body", "ground"],
+                                           "from": list(tip), "to": list(tip + to),
+                                           "stiffness": 2.0}
+            result = self.solve(mesh, deck)
+            found = result.fields.globals()
+            self.close(vector(found, "ball_moment"), moment, 1e-15)
+            at, balance = numpy.array([0, 0, 0.4]), moment.copy()
+            for i in range(3):
+                tip = turned(found, "body", center + 0.5 * numpy.eye(3)[i] - at)
+                balance -= numpy.cross(tip, vector(found, f"s{i}_force"))
+            self.close(balance, 0, FORCE)
+            left.append(result.summary["energy"]["imbalance"])
+        self.assertGreater(min(abs(vector(found, "body_rotation"))), 0.02)
+        self.assertAlmostEqual(left[0] / left[1], 4.0, delta=0.5)
 
     def test_double_pendulum(self):
         """Two bars hang on each other and on springs, under loads across: what each hinge carries
@@ -562,6 +618,20 @@ class Refused(Scene):
         second["origin"] = [1, 0, 0]
         self.expect(r"Joint 'pin' cannot hold its rotation about its axis: other joints",
                     {"joints": {"second": second}}, status=1, command="run")
+
+    def test_dead_point(self):
+        """A slider cannot drive its crank from where all three joints lie on a line."""
+        mesh = mesh_of({"crank": bar((0, 0), (1, 0)), "rod": bar((1, 0), (3, 0)),
+                        "slider": brick((3, 0, 0), 0.3)})
+        deck = {"bodies": {name: free_body(name, (0, 0)) for name in ("crank", "rod", "slider")},
+                "joints": {"a": hinge("revolute", ["ground", "crank"], (0, 0)),
+                           "b": hinge("revolute", ["crank", "rod"], (1, 0)),
+                           "c": hinge("revolute", ["rod", "slider"], (3, 0)),
+                           "drive": {"kind": "prismatic", "bodies": ["ground", "slider"],
+                                     "axis": [1, 0, 0], "origin": [3, 0, 0], "translation": -0.5}}}
+        result = self.solve(mesh, deck, check=False)
+        self.assertEqual(result.status, 2)
+        self.assertRegex(result.output, "is free to move: ")
 
     def test_steps_of_more_than_half_a_turn_are_cut(self):
         deck = self.deck(rotation=8.0)

@@ -55,13 +55,11 @@ void EquationSystem::add_work(const Vector& x) {
       sums[1] += 0.5 * (dot(a.force + z.force, z.displacement - a.displacement) +
                         dot(a.moment + z.moment, z.rotation - a.rotation));
     }
-  if (dofs_.mesh().comm.is_root())
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const RigidJointState &a = last.joints[j], &z = joints[j];
-      const double moved[2] = {z.translation - a.translation, z.rotation - a.rotation};
-      for (std::size_t k = 0; k < 2; ++k)
-        sums[joints_->holds(j, k) ? 1 : 0] += 0.5 * (a.axial[k] + z.axial[k]) * moved[k];
-    }
+  if (dofs_.mesh().comm.is_root()) {
+    const std::array<double, 2> work = joints_->work(last.joints, joints);
+    sums[0] += work[0];
+    sums[1] += work[1];
+  }
   dofs_.mesh().comm.sum(sums, 2);
   external_work_.loads += sums[0];
   external_work_.supports += sums[1];

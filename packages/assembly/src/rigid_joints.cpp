@@ -13,13 +13,7 @@ namespace abut::assembly {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double closed_tolerance = 1e-9; ///< of lengths to the joint's size, of angles
-constexpr double consistent_tolerance = 1e-5;
 constexpr double no_new_row = 1e-6; ///< of a constraint's row to what others hold already
-
-const char* const component_names[6] = {
-    "translation across its axis", "translation across its axis", "translation along its axis",
-    "rotation across its axis",    "rotation across its axis",    "rotation about its axis"};
 
 /// Of a joint's first or second body, its force (kind 0) or moment (1), in a PairVector.
 std::size_t pair_index(int which, int kind) {
@@ -32,6 +26,8 @@ RigidJoints::RigidJoints(const DofMap& dofs, const RigidBodies& bodies,
                          std::vector<RigidJoint> joints)
     : dofs_(dofs), bodies_(bodies), joints_(std::move(joints)), length_(joints_.size(), 0.0),
       role_(6 * joints_.size(), Role::free), accepted_angle_(joints_.size(), 0.0),
+      accepted_turn_(joints_.size(), Mat3::identity()),
+      accepted_rotation_(joints_.size(), {Mat3::identity(), Mat3::identity()}),
       multipliers_(6 * joints_.size(), 0.0), sides_(joints_.size()), angle_(joints_.size(), 0.0),
       deviation_(6 * joints_.size(), 0.0) {
   ABUT_REQUIRE(dofs.num_links() == static_cast<int>(joints_.size()),
@@ -123,7 +119,7 @@ void RigidJoints::find_implied() {
     base.push_back(std::move(row));
   };
   const auto moves = [&](std::size_t j, std::size_t i) {
-    return i % 3 == 2 && joints_[j].motion[i / 3];
+    return (i % 3 == 2 && joints_[j].motion[i / 3]) || (i >= 3 && joints_[j].turn);
   };
   for (const int pass : {0, 1, 2}) // translations, rotations, prescribed motion
     for (std::size_t j = 0; j < joints_.size(); ++j)
@@ -153,6 +149,9 @@ double RigidJoints::load_stiffness() const {
       if (role(j, 3 * k + 2) == Role::loaded)
         largest = std::max(largest, std::fabs(joints_[j].load[k](time_)) /
                                         std::pow(length_[j], k == 0 ? 1 : 2));
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    if (joints_[j].couple)
+      largest = std::max(largest, norm(joints_[j].couple(time_)) / std::pow(length_[j], 2));
   return largest;
 }
 
@@ -184,6 +183,16 @@ JointSide RigidJoints::side(std::size_t j, int which) const {
   return s;
 }
 
+Mat3 RigidJoints::rotation_of(std::size_t j, int which) const {
+  const int b = joints_[j].body[std::size_t(which)];
+  return b < 0 ? Mat3::identity() : bodies_.placement(std::size_t(b)).rotation;
+}
+
+/// The prescribed rotation of the whole frame.
+Mat3 RigidJoints::turned(std::size_t j) const {
+  return joints_[j].turn ? rotation(joints_[j].turn(time_)) : Mat3::identity();
+}
+
 /// Where a held component should stand.
 double RigidJoints::wanted(std::size_t j, std::size_t i) const {
   const bool moves = i % 3 == 2 && joints_[j].motion[i / 3];
@@ -194,10 +203,18 @@ void RigidJoints::move(std::vector<double> multipliers, double t) {
   multipliers_ = std::move(multipliers);
   time_ = t;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const Sides& s = sides_[j] = {side(j, 0), side(j, 1)};
+    Sides& s = sides_[j] = {side(j, 0), side(j, 1)};
+    if (joints_[j].turn) {
+      const Mat3 turn = turned(j);
+      if (norm(rotation_vector(turn * transpose(accepted_turn_[j]), Vec3::zero())) >= 0.5 * pi)
+        throw SolveError("joint '" + joints_[j].name +
+                         "' turns by a quarter turn or more in one step");
+      for (std::size_t k = 0; k < 3; ++k)
+        s.a.frame[k] = rotation_of(j, 0) * (turn * frame_[j][k]);
+    }
     const double last = accepted_angle_[j];
-    const double turned = joint_value(s.a, s.b, RigidJoint::about) - last;
-    angle_[j] = last + turned - 2.0 * pi * std::round(turned / (2.0 * pi));
+    const double step = joint_value(s.a, s.b, RigidJoint::about) - last;
+    angle_[j] = last + step - 2.0 * pi * std::round(step / (2.0 * pi));
     for (std::size_t i = 0; i < 6; ++i) {
       double& deviation = deviation_[6 * j + i];
       deviation = 0.0;
@@ -214,6 +231,10 @@ void RigidJoints::move(std::vector<double> multipliers, double t) {
 
 void RigidJoints::accept() {
   accepted_angle_ = angle_;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    accepted_turn_[j] = turned(j);
+    accepted_rotation_[j] = {rotation_of(j, 0), rotation_of(j, 1)};
+  }
 }
 
 void RigidJoints::put_origins(double* x) const {
@@ -233,6 +254,11 @@ PairVector RigidJoints::pair_force(std::size_t j) const {
     const PairVector slope = joint_slope(s.a, s.b, i);
     for (std::size_t k = 0; k < 4; ++k)
       sum[k] += factor(j, i) * slope[k];
+  }
+  if (joints_[j].couple) {
+    const Vec3 moment = joints_[j].couple(time_);
+    sum[1] += moment;
+    sum[3] -= moment;
   }
   return sum;
 }
@@ -326,74 +352,6 @@ void RigidJoints::add_slopes(std::size_t j, const BlockPattern& pattern, double*
         pattern.add(link + Global(kind), at, 1.0,
                     body % 2 ? row * bodies_.turn(std::size_t(b)) : row, values);
     }
-}
-
-bool RigidJoints::closed() const {
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    for (std::size_t i = 0; i < 6; ++i)
-      if (role(j, i) == Role::held &&
-          !(std::fabs(deviation_[6 * j + i]) <= closed_tolerance * (i < 3 ? length_[j] : 1.0)))
-        return false;
-  return true;
-}
-
-double RigidJoints::rounding_force2() const {
-  double sum = 0.0;
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    for (std::size_t i = 0; i < 6; ++i) {
-      const Sides& s = sides_[j];
-      const double size = norm(s.a.point) + norm(s.a.arm()) + norm(s.b.arm()) + length_[j];
-      if (role(j, i) == Role::held)
-        sum += stiffness_ * stiffness_ * size * size;
-    }
-  return sum;
-}
-
-std::vector<std::pair<std::string, std::string>> RigidJoints::implied() const {
-  std::vector<std::pair<std::string, std::string>> list;
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    for (std::size_t i = 0; i < 6; ++i)
-      if (role(j, i) == Role::implied)
-        list.emplace_back(joints_[j].name, component_names[i]);
-  return list;
-}
-
-void RigidJoints::require_consistent() const {
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    for (std::size_t i = 0; i < 6; ++i)
-      if (role(j, i) == Role::implied &&
-          !(std::fabs(deviation_[6 * j + i]) <= consistent_tolerance * (i < 3 ? length_[j] : 1.0)))
-        throw SolveError("Joint '" + joints_[j].name + "' cannot hold its " + component_names[i] +
-                         ": other joints and prescribed components hold these bodies otherwise.");
-}
-
-std::vector<RigidJointState> RigidJoints::states() const {
-  std::vector<RigidJointState> result(joints_.size());
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    RigidJointState& state = result[j];
-    const RigidJoint& joint = joints_[j];
-    const Sides& s = sides_[j];
-    const PairVector f = pair_force(j);
-    state.force = -f[2];
-    state.moment = cross(s.b.arm(), f[2]) - f[3];
-    if (joint.is_spring()) {
-      state.translation = Spring{joint.stiffness, joint.free_length}.elongation(s.a, s.b);
-      state.energy = 0.5 * joint.stiffness * state.translation * state.translation;
-      continue;
-    }
-    state.translation = joint_value(s.a, s.b, RigidJoint::along);
-    state.rotation = angle_[j];
-    state.axial = {-factor(j, RigidJoint::along), -factor(j, RigidJoint::about)};
-    if (!joint.held[3]) {
-      Mat3 q = Mat3::zero(); // of b against a
-      for (std::size_t k = 0; k < 3; ++k)
-        for (int m = 0; m < 3; ++m)
-          for (int n = 0; n < 3; ++n)
-            q[m][n] += s.b.frame[k][m] * s.a.frame[k][n];
-      state.rotation = norm(rotation_vector(q, Vec3::zero()));
-    }
-  }
-  return result;
 }
 
 } // namespace abut::assembly

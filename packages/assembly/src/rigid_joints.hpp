@@ -60,8 +60,10 @@ public:
   void require_consistent() const;
 
   std::vector<RigidJointState> states() const;
-  /// Whether the motion along (0) or about (1) the axis is held.
-  bool holds(std::size_t joint, std::size_t k) const { return joints_[joint].held[3 * k + 2]; }
+  /// Work on all joints between the last accepted state and the trial state, by the trapezoidal
+  /// rule: of loads, of prescribed motion [energy].
+  std::array<double, 2> work(const std::vector<RigidJointState>& last,
+                             const std::vector<RigidJointState>& now) const;
 
 private:
   struct Sides {
@@ -91,6 +93,8 @@ private:
   void add_pair(std::size_t joint, const BlockPattern& pattern, double* values) const;
   void add_slopes(std::size_t joint, const BlockPattern& pattern, double* values) const;
   double wanted(std::size_t joint, std::size_t i) const;
+  Mat3 rotation_of(std::size_t joint, int which) const;
+  Mat3 turned(std::size_t joint) const;
 
   const DofMap& dofs_;
   const RigidBodies& bodies_;
@@ -99,7 +103,9 @@ private:
   std::vector<double> length_;             ///< of each joint: that of its larger body [length]
   std::vector<Role> role_;                 ///< (joints,6)
   double stiffness_ = 0.0;
-  std::vector<double> accepted_angle_; ///< about the axis, whole turns counted
+  std::vector<double> accepted_angle_;                 ///< about the axis, whole turns counted
+  std::vector<Mat3> accepted_turn_;                    ///< prescribed rotations
+  std::vector<std::array<Mat3, 2>> accepted_rotation_; ///< of both bodies
   // trial state
   double time_ = 0.0;
   std::vector<double> multipliers_; ///< (joints,6)

@@ -140,12 +140,22 @@ template <class V> void describe(V& v, solid::JointOptions& o) {
     v.optional("force", o.force, "on the second body along the axis, minus it on the first",
                unit("force"));
   });
-  v.when(o.turns() || o.slides(), "revolute, prismatic, cylindrical", [&] {
-    v.optional("curve", o.curve,
-               "factor of rotation and translation over the load parameter; without one, t itself");
-    v.optional("load_curve", o.load_curve,
-               "factor of moment and force over the load parameter; without one, t itself");
+  v.when(o.kind == JointKind::spherical, "spherical", [&] {
+    v.optional("rotation_vector", o.rotation_vector,
+               "of the second body against the first, in directions that turn with the first; free "
+               "when not given",
+               unit("rad"));
+    v.optional("moment_vector", o.moment_vector,
+               "on the second body, minus it on the first; fixed in space", unit("force length"));
   });
+  v.when(o.turns() || o.slides() || o.kind == JointKind::spherical,
+         "revolute, prismatic, cylindrical, spherical", [&] {
+           v.optional(
+               "curve", o.curve,
+               "factor of rotation and translation over the load parameter; without one, t itself");
+           v.optional("load_curve", o.load_curve,
+                      "factor of moment and force over the load parameter; without one, t itself");
+         });
   v.when(o.kind == JointKind::spring, "spring", [&] {
     v.required("from", o.from, "point of the first body in the reference configuration",
                unit("length"));
@@ -155,6 +165,8 @@ template <class V> void describe(V& v, solid::JointOptions& o) {
     v.optional("free_length", o.free_length, "without force; when not given, from 'from' to 'to'",
                at_least(0.0, "length"));
   });
+  v.check("moment_vector", !o.rotation_vector || !o.moment_vector,
+          "the rotation is prescribed, so a moment moves nothing");
   v.check("moment", !o.rotation || !o.moment,
           "the rotation is prescribed, so a moment moves nothing");
   v.check("force", !o.translation || !o.force,

@@ -80,6 +80,12 @@ private:
     map.add("origin", point_text(c.origin));
     if (c.kind != Kind::spherical && c.kind != Kind::lock)
       map.add("axis", point_text(c.axis));
+    if (c.kind == Kind::spherical) {
+      if (c.rotation_vector)
+        add(c, map, "rotation_vector", *c.rotation_vector, 1.0, "curve");
+      add(c, map, "moment_vector", c.moment_vector, -1.0, "load_curve");
+      return map;
+    }
     const auto values = [&](const char* key, std::initializer_list<Item> items) {
       std::string curve;
       for (const Item& item : items)
@@ -111,6 +117,27 @@ private:
       refuse(c, "its rotation and translation, or its moment and force, follow different load "
                 "curves: abut has one curve for both");
     curve = name;
+  }
+
+  /// A vector; zero means nothing but for a motion.
+  void add(const RigidConnector& c, FlowMap& map, const char* key,
+           const std::array<Value, 3>& values, double factor, const char* curve_key) {
+    std::array<double, 3> v{};
+    std::string curve;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (values[i].is_zero())
+        continue;
+      v[i] = factor * values[i].number;
+      const std::string name = curves_.of(values[i]);
+      if (!curve.empty() && name != curve)
+        refuse(c, "its components follow different load curves: abut has one curve for them");
+      curve = name;
+    }
+    if (curve.empty() && factor < 0.0)
+      return;
+    map.add(key, vector_text(v));
+    if (!curve.empty())
+      map.add(curve_key, curve);
   }
 
   const Model& model_;

@@ -56,14 +56,25 @@ void read_spring(Element connector, RigidConnector& c) {
     connector.required_child("free_length").fail("expected a number >= 0");
 }
 
-void read_spherical(Element connector) {
-  if (connector.flag_or("prescribed_rotation", false))
-    connector.required_child("prescribed_rotation")
-        .refuse("the spherical joint of abut turns freely: take a revolute joint where the axis is "
-                "fixed");
-  connector.ignore({"rotation_x", "rotation_y", "rotation_z"}, "the rotation is not prescribed");
-  for (const char* key : {"moment_x", "moment_y", "moment_z"})
-    connector.expect(key, 0.0, "give the moment as a rigid_moment on each of the bodies");
+void read_spherical(Element connector, RigidConnector& c) {
+  constexpr const char* turns[] = {"rotation_x", "rotation_y", "rotation_z"};
+  constexpr const char* moments[] = {"moment_x", "moment_y", "moment_z"};
+  const bool prescribed = connector.flag_or("prescribed_rotation", false);
+  std::array<Value, 3> turn;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!prescribed)
+      connector.ignore(turns[i], "without <prescribed_rotation> it means nothing");
+    else
+      turn[i] = connector.value_or(turns[i], 0.0);
+    c.moment_vector[i] = connector.value_or(moments[i], 0.0);
+    if (prescribed && !c.moment_vector[i].is_zero())
+      connector.fail(std::string("<prescribed_rotation> and <") + moments[i] +
+                     "> cannot both be given");
+  }
+  if (!prescribed)
+    return;
+  c.rotation_vector = turn;
+  connector.note("FEBio's rotation vector is fixed in space, abut's turns with body_a");
 }
 
 /// Of the kinds that have one; FEBio's defaults.
@@ -120,7 +131,7 @@ void read_connector(Element connector, Model& model) {
     read_motion(connector, "prescribed_translation", "translation", "force", c.translation,
                 c.force);
   if (c.kind == Kind::spherical)
-    read_spherical(connector);
+    read_spherical(connector, c);
   if (c.kind == Kind::lock)
     connector.ignore("first_axis", "it changes nothing but names");
   model.connectors.push_back(c);

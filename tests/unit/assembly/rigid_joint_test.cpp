@@ -163,7 +163,13 @@ std::vector<std::pair<std::string, std::vector<RigidJoint>>> cases() {
   driven.motion = {[](double t) { return 0.2 * t; }, [](double t) { return 0.5 * t; }};
   RigidJoint loaded = joint("loaded", cylindrical, 0, 1);
   loaded.load = {[](double t) { return 2.0 * t; }, [](double t) { return -3.0 * t; }};
-  return {{"revolute", {joint("j", revolute, 0, 1)}},
+  RigidJoint ball = joint("ball", lock, 0, 1);
+  ball.turn = [](double t) { return t * Vec3{{0.3, -0.8, 0.5}}; };
+  RigidJoint couple = joint("couple", spherical, 0, 1);
+  couple.couple = [](double t) { return t * Vec3{{1.0, 2.0, -0.5}}; };
+  return {{"driven ball", {ball}},
+          {"ball with a moment", {couple}},
+          {"revolute", {joint("j", revolute, 0, 1)}},
           {"prismatic", {joint("j", prismatic, 1, 0)}},
           {"spherical", {joint("j", spherical, 0, 1)}},
           {"lock", {joint("j", lock, 0, 1)}},
@@ -248,7 +254,8 @@ TEST(RigidJoint, IsObjective) {
   const Vec3 shifts[2] = {{{0.1, 0.2, 0.3}}, {{0.2, 0.1, 0.4}}}, shift{{1.0, -2.0, 0.5}};
   const Mat3 q = assembly::rotation(all);
   for (const auto& [name, joints] : cases()) {
-    if (joints[0].body[0] < 0 || joints[0].body[0] == 2 || joints[0].body[1] < 0)
+    if (joints[0].body[0] < 0 || joints[0].body[0] == 2 || joints[0].body[1] < 0 ||
+        joints[0].couple) // fixed in space
       continue;
     assembly::RigidJointState states[2];
     for (const int turned : {0, 1}) {
@@ -341,6 +348,13 @@ TEST(RigidJoint, RejectsHalfATurnInAStepAndAnAxisWithoutDirection) {
   scene.system->residual(x, f);
   scene.system->set_time(3.2);
   EXPECT_THROW(scene.system->residual(x, f), SolveError);
+  RigidJoint ball = joint("b", lock, -1, 0);
+  ball.turn = [](double t) { return t * Vec3{{0.6, 0.0, 0.8}}; };
+  Scene turned(Comm(MPI_COMM_WORLD), {ball});
+  turned.system->set_time(1.5);
+  turned.system->residual(x, f);
+  turned.system->set_time(1.6);
+  EXPECT_THROW(turned.system->residual(x, f), SolveError);
   driver.axis = Vec3::zero();
   EXPECT_THROW(Scene(Comm(MPI_COMM_WORLD), {driver}), InputError);
 }

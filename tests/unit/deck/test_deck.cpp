@@ -113,7 +113,7 @@ joints:
   pin: {kind: revolute, bodies: [a, b], origin: [1, 2, 3], axis: [0, 0, 2], rotation: 2 * t, curve: up}
   rail: {kind: prismatic, bodies: [ground, a], origin: [0, 0, 0], axis: [1, 0, 0], force: 4}
   rod: {kind: cylindrical, bodies: [a, b], origin: [0, 0, 0], axis: [1, 0, 0], translation: 3, moment: 5}
-  ball: {kind: spherical, bodies: [a, b], origin: [0, 0, 1]}
+  ball: {kind: spherical, bodies: [a, b], origin: [0, 0, 1], rotation_vector: [t, 2, 0], curve: up}
   weld: {kind: lock, bodies: [a, b], origin: [0, 0, 1]}
   coil: {kind: spring, bodies: [a, b], from: [0, 0, 1], to: [0, 0, 2], stiffness: 10}
   pull: {kind: spring, bodies: [a, b], from: [0, 0, 1], to: [0, 0, 1], stiffness: 10, free_length: 0}
@@ -130,6 +130,7 @@ verify: {v: {quantity: joint_moment_z, place: pin, expected: 1, tolerance: 1}}
   EXPECT_FALSE(pin.moment || pin.translation || pin.force);
   EXPECT_EQ(deck.joints[1].force->at(Vec3::zero(), 0.5, {}), 2.0);
   EXPECT_EQ(deck.joints[2].translation->number, 3.0);
+  EXPECT_EQ((*deck.joints[3].rotation_vector)[1].number, 2.0);
   EXPECT_EQ(deck.joints[5].stiffness, 10.0);
   EXPECT_FALSE(deck.joints[5].free_length);
   EXPECT_EQ(deck.joints[6].free_length, 0.0);

@@ -70,6 +70,15 @@ TEST(Connectors, EachKind) {
                    "<joint_origin>0,0,1</joint_origin><moment_x>0</moment_x>"
                    "<rotation_x lc=\"1\">1</rotation_x>"),
             "  it: {kind: spherical, bodies: [base, plate], origin: [0, 0, 1]}");
+  EXPECT_EQ(joints("rigid spherical joint",
+                   "<joint_origin>0,0,1</joint_origin><prescribed_rotation>1</prescribed_rotation>"
+                   "<rotation_x lc=\"1\">1</rotation_x><rotation_z lc=\"1\">-2</rotation_z>"),
+            "  it: {kind: spherical, bodies: [base, plate], origin: [0, 0, 1], rotation_vector: "
+            "[1, 0, -2], curve: LC1}");
+  EXPECT_EQ(joints("rigid spherical joint",
+                   "<joint_origin>0,0,1</joint_origin><moment_y lc=\"2\">3</moment_y>"),
+            "  it: {kind: spherical, bodies: [base, plate], origin: [0, 0, 1], moment_vector: "
+            "[0, -3, 0], load_curve: LC2}");
   EXPECT_EQ(joints("rigid lock", "<joint_origin>0,0,1</joint_origin><first_axis>1,0,0</first_axis>"
                                  "<second_axis>0,1,0</second_axis>"),
             "  it: {kind: lock, bodies: [base, plate], origin: [0, 0, 1]}");
@@ -98,10 +107,12 @@ TEST(Connectors, WhatIsWrongOrMissingIsNamed) {
   expect(message("rigid revolute joint",
                  origin + "<prescribed_rotation>1</prescribed_rotation><moment>1</moment>"),
          "<rotation> and <moment> cannot both be prescribed");
-  expect(message("rigid spherical joint", origin + "<prescribed_rotation>1</prescribed_rotation>"),
-         "the spherical joint of abut turns freely");
-  expect(message("rigid spherical joint", origin + "<moment_y>1</moment_y>"),
-         "give the moment as a rigid_moment");
+  expect(message("rigid spherical joint",
+                 origin + "<prescribed_rotation>1</prescribed_rotation><moment_y>1</moment_y>"),
+         "<prescribed_rotation> and <moment_y> cannot both be given");
+  expect(message("rigid spherical joint",
+                 origin + "<moment_x lc=\"1\">1</moment_x><moment_y lc=\"2\">1</moment_y>"),
+         "its components follow different load curves");
   expect(message("rigid cylindrical joint",
                  origin + "<joint_axis>0,0,1</joint_axis><force lc=\"1\">1</force>"
                           "<moment lc=\"2\">1</moment>"),

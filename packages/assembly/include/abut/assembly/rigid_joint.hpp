@@ -28,6 +28,12 @@ struct RigidJoint {
   /// second along and about the axis, which turns with the first; empty: nothing.
   std::array<Function, 2> load;
 
+  /// Rotation vector of the second body against the first, in directions that turn with the first
+  /// [rad]; all components are held then, the rotations where it says.
+  std::function<Vec3(double)> turn;
+  /// Moment of the first body on the second, fixed in space [force length].
+  std::function<Vec3(double)> couple;
+
   /// A spring from origin on the first body to `end` on the second, when > 0 [force/length]; then
   /// nothing is held.
   double stiffness = 0.0;
@@ -46,11 +52,13 @@ struct RigidJointState {
   Vec3 moment = Vec3::zero(); ///< the same, about the joint's point on the second [force length]
   /// Along the axis; of a spring what it is longer than its free length [length]
   double translation = 0.0;
-  /// About the axis, whole turns counted; the angle of the whole rotation where the rotations
-  /// across the axis are free [rad]
+  /// About the axis, whole turns counted; the angle of the whole rotation where those across the
+  /// axis are free or prescribed [rad]
   double rotation = 0.0;
   std::array<double, 2> axial{}; ///< components of force and moment of the axis
   double energy = 0.0;           ///< of a spring
+  /// Rotation of the second body against the first since the last accepted state, in space [rad]
+  Vec3 step_rotation = Vec3::zero();
 };
 
 } // namespace abut::assembly

@@ -131,7 +131,10 @@ struct RigidConnector {
   Vec3 origin = Vec3::zero(); ///< a spring's point on body a
   Vec3 axis = Vec3::zero();   ///< a spring's point on body b
   std::optional<Value> rotation, translation;
-  Value moment, force;                       ///< on body a about and along the axis, minus it on b
+  Value moment, force; ///< on body a about and along the axis, minus it on b
+  /// Of a spherical joint: rotation vector of b against a, moment on a, minus it on b.
+  std::optional<std::array<Value, 3>> rotation_vector;
+  std::array<Value, 3> moment_vector{};
   double stiffness = 0.0, free_length = 0.0; ///< of a spring; free length 0: as it is
 };
 

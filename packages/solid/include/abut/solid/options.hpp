@@ -130,9 +130,12 @@ struct JointOptions {
   std::string curve;                   ///< of rotation and translation
   std::optional<Amount> moment, force; ///< of the first body on the second, about and along it
   std::string load_curve;              ///< of moment and force
-  std::array<double, 3> from{}, to{};  ///< of a spring: its points on the bodies [length]
-  double stiffness = 0.0;              ///< of a spring [force/length]
-  std::optional<double> free_length;   ///< of a spring; that of the reference configuration
+  std::optional<std::array<Amount, 3>>
+      rotation_vector;                                ///< of a spherical joint; free without [rad]
+  std::optional<std::array<Amount, 3>> moment_vector; ///< of a spherical joint, fixed in space
+  std::array<double, 3> from{}, to{}; ///< of a spring: its points on the bodies [length]
+  double stiffness = 0.0;             ///< of a spring [force/length]
+  std::optional<double> free_length;  ///< of a spring; that of the reference configuration
 
   bool turns() const { return kind == JointKind::revolute || kind == JointKind::cylindrical; }
   bool slides() const { return kind == JointKind::prismatic || kind == JointKind::cylindrical; }
