@@ -10,7 +10,7 @@ namespace abut::assembly {
 namespace {
 
 constexpr double closed_tolerance = 1e-9; ///< of lengths to the joint's size, of angles
-constexpr double consistent_tolerance = 1e-5;
+constexpr double consistent_tolerance = 1e-4;
 
 const char* const component_names[6] = {
     "translation across its axis", "translation across its axis", "translation along its axis",

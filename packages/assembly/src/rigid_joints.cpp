@@ -13,7 +13,7 @@ namespace abut::assembly {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double no_new_row = 1e-6; ///< of a constraint's row to what others hold already
+constexpr double no_new_row = 1e-5; ///< of a constraint's row to what others hold already
 
 /// Of a joint's first or second body, its force (kind 0) or moment (1), in a PairVector.
 std::size_t pair_index(int which, int kind) {

@@ -320,6 +320,13 @@ TEST(RigidJoint, NothingIsHeldTwice) {
   middle.origin = {{0.9, 0.2, 0.4}};
   far.origin = {{0.1, -0.3, 1.0}};
   EXPECT_EQ(implied({joint("a", revolute, -1, 0), middle, far}).size(), 3u);
+  // Two hinges on one line, as exact as files have it; then off it.
+  RigidJoint near = joint("a", revolute, 0, 1), second = joint("b", revolute, 0, 1);
+  second.origin += 0.5 * second.axis;
+  second.axis += Vec3{{3e-6, 0.0, 0.0}};
+  EXPECT_EQ(implied({near, second}).size(), 5u);
+  second.axis += Vec3{{3e-3, 0.0, 0.0}};
+  EXPECT_EQ(implied({near, second}).size(), 4u);
   // The same motion twice: the second time a driver of the loop's own.
   RigidJoint driver = joint("d", revolute, 0, 1);
   driver.held[5] = true;
