@@ -34,15 +34,16 @@ public:
   bool stands_at(const std::vector<double>& multipliers) const {
     return multipliers == multipliers_;
   }
-  /// Sets the trial state, for the placements that the bodies have. Throws SolveError where a
-  /// spring has no length, or a joint turned too far for one step.
+  /// Sets the trial state, for the placements that the bodies have. Throws SolveError where a joint
+  /// turned too far for one step.
   void move(std::vector<double> multipliers, double t);
   /// The trial state becomes history.
   void accept();
   /// Writes the reference origins into the owned rows of x (rows,3).
   void put_origins(double* x) const;
 
-  /// Adds the forces on owned bodies.
+  /// Adds the forces on owned bodies. As all that follows, throws SolveError on all ranks where a
+  /// spring has no length.
   void add_forces(double* residual) const;
   /// Adds the equations that owned joints hold.
   void add_equations(double* residual) const;
