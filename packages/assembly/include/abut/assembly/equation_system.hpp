@@ -151,6 +151,8 @@ private:
   std::unique_ptr<RigidBodies> rigid_;
   std::unique_ptr<RigidJoints> joints_;
   double time_ = 0.0;
+  bool predicting_ = false; ///< see NodalFields::prediction
+  bool predicted_ = false;  ///< what is prepared is of the prediction
   bool prepared_ = false;
   bool joints_scaled_ = true, scale_joints_ = false;
   bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
