@@ -7,6 +7,7 @@
 #include "abut/core/trilinos.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
 #include <map>
@@ -127,6 +128,17 @@ void explain_bodies(const Model& m, const Printer& print) {
     print("material {}: {}", material.name, explain_material(material));
 }
 
+void explain_joints(const Model& m, const Printer& print) {
+  for (std::size_t j = 0; j < m.joints.size(); ++j) {
+    const assembly::RigidJoint& joint = m.joints[j];
+    const auto count = std::count(joint.held.begin(), joint.held.end(), true);
+    print("joint {}: of '{}' against '{}', {}", joint.name, m.deck.joints[j].bodies[1],
+          m.deck.joints[j].bodies[0],
+          joint.is_spring() ? fmt::format("a spring of free length {:g}", joint.free_length)
+                            : fmt::format("{} of 6 components held", count));
+  }
+}
+
 void explain_supports(const Model& m, const Printer& print) {
   print("supports:");
   for (const auto& d : m.deck.displacements) {
@@ -196,6 +208,7 @@ void check(const std::string& deck_file) {
   Vector x(m->equations->dofs().map()), f(m->equations->dofs().map());
   m->equations->residual(x, f);
   explain_bodies(*m, print);
+  explain_joints(*m, print);
   explain_supports(*m, print);
   explain_contact(*m, print);
   for (const std::string& warning : m->warnings)

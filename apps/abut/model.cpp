@@ -9,6 +9,7 @@
 #include "abut/solid/face_stiffness.hpp"
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
+#include "rigid_joints.hpp"
 #include "rigid_motion.hpp"
 #include "windows.hpp"
 
@@ -88,7 +89,7 @@ void check_names(const Model& m) {
   }
   for (const auto& v : deck.verify)
     if (!deck::is_contact_quantity(v.quantity) && !deck::is_rigid_quantity(v.quantity) &&
-        !v.place.empty())
+        !deck::is_joint_quantity(v.quantity) && !v.place.empty())
       require_name(deck, "verify." + v.name + ".place", "node set or side set", v.place, sets);
 }
 
@@ -250,7 +251,7 @@ void add_contact(Model& m, contact::ContactOptions options) {
 }
 
 void add_equations(Model& m) {
-  assembly::RigidNodes rigid{m.rigid_body_of_node, {}};
+  assembly::RigidNodes rigid{m.rigid_body_of_node, {}, rigid_links(m.joints)};
   for (const auto& body : m.rigid_bodies)
     rigid.has_unknowns.push_back(body.has_unknowns());
   m.equations = std::make_unique<assembly::EquationSystem>(
@@ -270,6 +271,11 @@ void add_equations(Model& m) {
     m.equations->add(contact);
   m.equations->set_constraints(m.constraints);
   m.equations->set_rigid_bodies(m.rigid_bodies);
+  m.equations->set_rigid_joints(m.joints);
+  for (const auto& [joint, component] : m.equations->implied_constraints())
+    m.warnings.push_back("joints." + joint + ": its " + component +
+                         " is held by other joints or supports already. It carries no force of "
+                         "its own, and the run stops where it would have to move");
 }
 
 } // namespace
@@ -306,6 +312,7 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
     throw InputError(m->deck.where("mesh") + ": " + e.what());
   }
   m->rigid_bodies = rigid_bodies(*m);
+  m->joints = rigid_joints(m->deck, m->rigid_bodies);
   m->rigid_body_of_node = rigid_nodes(*m);
   m->constraints = make_constraints(*m);
   for (const auto& options : m->deck.contact)

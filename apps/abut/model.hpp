@@ -27,6 +27,7 @@ struct Model {
   std::vector<int> body_of_block;                       ///< index in deck.bodies
   std::vector<std::optional<solid::Material>> material; ///< per block; none: rigid
   std::vector<assembly::RigidBody> rigid_bodies;        ///< in the order of the deck
+  std::vector<assembly::RigidJoint> joints;             ///< in the order of the deck
   std::vector<int> rigid_body_of_node; ///< (N) index of the rigid body it moves with, or -1
   std::vector<assembly::Constraint> constraints;
   std::vector<std::shared_ptr<solid::SolidContribution>> solids;

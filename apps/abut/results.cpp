@@ -9,6 +9,12 @@ namespace abut::app {
 
 namespace {
 
+/// A spring may be stretched at the start.
+double initial_energy(const assembly::RigidJoint& joint) {
+  const double stretch = norm(joint.end - joint.origin) - joint.free_length;
+  return joint.is_spring() ? 0.5 * joint.stiffness * stretch * stretch : 0.0;
+}
+
 Energy energy(const Model& m, const State& s) {
   Energy e;
   const assembly::ExternalWork& work = m.equations->external_work();
@@ -16,6 +22,8 @@ Energy energy(const Model& m, const State& s) {
   for (const solid::ElementFields& block : s.elements)
     e.stored += block.total_energy();
   e.stored = m.comm.sum(e.stored);
+  for (std::size_t j = 0; j < s.joints.size(); ++j)
+    e.stored += s.joints[j].energy - initial_energy(m.joints[j]);
   for (const auto& c : s.contacts) {
     e.penalty += c.penalty_energy;
     e.friction += c.dissipation;
@@ -34,6 +42,7 @@ State make_state(const Model& m, const Vector& x, double time, const solver::Cou
   for (const auto& contact : m.contacts)
     s.contacts.push_back(contact->summary());
   s.rigid_bodies = m.equations->rigid_body_states();
+  s.joints = m.equations->rigid_joint_states();
   const NodalFields fields{s.u.data(), 3, s.time};
   for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b)
     s.elements.push_back(
@@ -74,6 +83,11 @@ io::ResultNames result_names(const Model& m) {
     for (const RigidQuantity& q : rigid_quantities)
       for (const char* i : {"_x", "_y", "_z"})
         names.global.push_back(body.name + q.name + i);
+  for (const auto& joint : m.joints) {
+    for (const char* q : {"_force_x", "_force_y", "_force_z", "_moment_x", "_moment_y", "_moment_z",
+                          "_translation", "_rotation"})
+      names.global.push_back(joint.name + q);
+  }
   return names;
 }
 
@@ -179,6 +193,13 @@ io::ResultStep result_step(const Model& m, const State& s) {
     for (const RigidQuantity& q : rigid_quantities)
       for (int i = 0; i < 3; ++i)
         step.global.push_back((body.*q.values)[i]);
+  for (const auto& joint : s.joints) {
+    for (const Vec3* v : {&joint.force, &joint.moment})
+      for (int i = 0; i < 3; ++i)
+        step.global.push_back((*v)[i]);
+    step.global.push_back(joint.translation);
+    step.global.push_back(joint.rotation);
+  }
   return step;
 }
 

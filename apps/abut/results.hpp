@@ -15,8 +15,8 @@ namespace abut::app {
 
 /// Where the work of a run went, from its start [energy]. Closes to second order in the step.
 struct Energy {
-  double work_in = 0.0;  ///< by loads, supports and the motion of rigid bodies
-  double stored = 0.0;   ///< strain energy
+  double work_in = 0.0;  ///< by loads, supports and the motion of rigid bodies and joints
+  double stored = 0.0;   ///< strain energy, and what springs between rigid bodies took up
   double penalty = 0.0;  ///< in the springs of contact; 0 once multipliers have converged
   double friction = 0.0; ///< dissipated
   double imbalance() const { return work_in - stored - penalty - friction; }
@@ -32,6 +32,7 @@ struct State {
   std::vector<solid::ElementFields> elements; ///< per block; empty for rigid ones
   Energy energy;
   std::vector<assembly::RigidBodyState> rigid_bodies; ///< of Model::rigid_bodies
+  std::vector<assembly::RigidJointState> joints;      ///< of Model::joints
 };
 
 /// Collective. The equations must have been evaluated at x.

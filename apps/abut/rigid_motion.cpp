@@ -130,7 +130,9 @@ std::vector<assembly::RigidBody> rigid_bodies(const Model& m) {
       body.force[i] = motion.force[std::size_t(i)];
       body.moment[i] = motion.moment[std::size_t(i)];
     }
-    body.load_factor = m.deck.curve(motion.load_curve);
+    for (std::size_t i = 0; i < 6; ++i)
+      body.load_factor[i] =
+          m.deck.curve(motion.load_curves[i].empty() ? motion.load_curve : motion.load_curves[i]);
     body.follower = motion.follower;
     result.push_back(std::move(body));
   }

@@ -57,9 +57,22 @@ Json contact_json(const Model& m, const State& s) {
   return all;
 }
 
+Json list(const Vec3& v) {
+  return Json{v[0], v[1], v[2]};
+}
+
+Json joints_json(const Model& m, const State& s) {
+  Json all = Json::object();
+  for (std::size_t i = 0; i < s.joints.size(); ++i)
+    all[m.joints[i].name] = {{"force", list(s.joints[i].force)},
+                             {"moment", list(s.joints[i].moment)},
+                             {"translation", s.joints[i].translation},
+                             {"rotation", s.joints[i].rotation}};
+  return all;
+}
+
 Json rigid_json(const Model& m, const State& s) {
   Json all = Json::object();
-  const auto list = [](const Vec3& v) { return Json{v[0], v[1], v[2]}; };
   for (std::size_t i = 0; i < s.rigid_bodies.size(); ++i) {
     const assembly::RigidBodyState& body = s.rigid_bodies[i];
     all[m.rigid_bodies[i].name] = {{"displacement", list(body.displacement)},
@@ -102,6 +115,8 @@ void write_summary(const Model& m, const State& s, const RunFacts& facts,
                {"verify", Json::array()}};
   if (!m.rigid_bodies.empty())
     json["rigid_bodies"] = rigid_json(m, s);
+  if (!m.joints.empty())
+    json["joints"] = joints_json(m, s);
   for (const Verdict& v : verdicts)
     json["verify"].push_back({{"name", v.name},
                               {"value", v.value},

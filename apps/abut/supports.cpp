@@ -128,6 +128,7 @@ public:
     find_clusters();
     prescribed();
     shared_nodes();
+    joints();
     contact();
     for (Cluster& c : clusters_)
       m.comm.sum(c.gram.data(), static_cast<int>(c.gram.size()));
@@ -252,7 +253,7 @@ private:
     return body >= 0 ? piece_of_body_[std::size_t(body)] : piece_of_label(n);
   }
 
-  /// Joins pieces and bodies that share nodes.
+  /// Joins pieces and bodies that share nodes or joints.
   void find_clusters() {
     std::vector<Global> pairs;
     for (Local n = 0; n < m_.mesh->num_owned; ++n) {
@@ -260,6 +261,9 @@ private:
       if (a != none && b != none && a != b)
         pairs.insert(pairs.end(), {Global(a), Global(b)});
     }
+    for (const assembly::RigidJoint& joint : m_.joints)
+      if (m_.comm.is_root() && joint_piece(joint, 0) != none && joint_piece(joint, 1) != none)
+        pairs.insert(pairs.end(), {Global(joint_piece(joint, 0)), Global(joint_piece(joint, 1))});
     std::vector<std::size_t> cluster(pieces_.size());
     for (std::size_t i = 0; i < cluster.size(); ++i)
       cluster[i] = i;
@@ -340,6 +344,53 @@ private:
     }
   }
 
+  std::size_t joint_piece(const assembly::RigidJoint& joint, std::size_t which) const {
+    const int body = joint.body[which];
+    return body < 0 ? none : piece_of_body_[std::size_t(body)];
+  }
+
+  /// What joints hold and springs resist, in the reference configuration.
+  void joints() {
+    if (!m_.comm.is_root())
+      return;
+    for (const assembly::RigidJoint& joint : m_.joints) {
+      const auto frame = assembly::joint_frame(joint.axis);
+      for (std::size_t i = 0; i < 6; ++i)
+        if (joint.held[i])
+          connect(joint, frame[i % 3], i >= 3);
+      if (!joint.is_spring())
+        continue;
+      const Vec3 along = joint.end - joint.origin;
+      const double length = norm(along);
+      if (length > joint.free_length || length == 0.0) // it then resists every direction
+        for (int i = 0; i < 3; ++i)
+          connect(joint, unit(i), false);
+      else
+        connect(joint, (1.0 / length) * along, false);
+    }
+  }
+
+  /// The second body does not move along, or turn about, a direction against the first.
+  void connect(const assembly::RigidJoint& joint, const Vec3& direction, bool turns) {
+    double size = 0.0;
+    for (const std::size_t k : {0u, 1u})
+      if (joint_piece(joint, k) != none)
+        size = std::max(size, pieces_[joint_piece(joint, k)].size);
+    std::vector<Term> terms;
+    for (const std::size_t k : {0u, 1u}) {
+      const std::size_t piece = joint_piece(joint, k);
+      if (piece == none)
+        continue;
+      const Vec3 d = (k == 0 ? -1.0 : 1.0) * direction;
+      const Vec3 turn = size / pieces_[piece].size * d;
+      const Vec3& x = joint.is_spring() && k == 1 ? joint.end : joint.origin;
+      terms.push_back({piece, turns ? Mode{0.0, 0.0, 0.0, turn[0], turn[1], turn[2]}
+                                    : row(d, x, pieces_[piece])});
+    }
+    if (!terms.empty())
+      add(terms);
+  }
+
   /// Contact holds both sides along its normal; the secondary's faces may live on other ranks.
   void contact() {
     struct Entry {
@@ -387,11 +438,11 @@ void require_supports(const Model& m) {
   std::string list;
   for (const std::string& motion : free[0].motions)
     list += (list.empty() ? "" : ", ") + motion;
-  throw InputError(
-      m.deck.where("bodies." + free[0].body) + ": body '" + free[0].body +
-      "' is free to move: " + list + ". Hold it with " +
-      (rigid ? "prescribed components (those not listed as 'free')" : "'displacements'") +
-      ", or start it in closed contact");
+  throw InputError(m.deck.where("bodies." + free[0].body) + ": body '" + free[0].body +
+                   "' is free to move: " + list + ". Hold it with " +
+                   (rigid ? "prescribed components (those not listed as 'free'), with 'joints'"
+                          : "'displacements'") +
+                   ", or start it in closed contact");
 }
 
 } // namespace abut::app

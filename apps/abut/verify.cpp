@@ -93,9 +93,24 @@ double rigid_value(const Model& m, const State& s, const VerifyOptions& v) {
   return (*values[k / 3])[k % 3];
 }
 
+double joint_value(const Model& m, const State& s, const VerifyOptions& v) {
+  std::size_t j = 0;
+  while (v.place != m.joints[j].name)
+    ++j;
+  const assembly::RigidJointState& joint = s.joints[j];
+  if (v.quantity == Quantity::joint_translation)
+    return joint.translation;
+  if (v.quantity == Quantity::joint_rotation)
+    return joint.rotation;
+  const int k = static_cast<int>(v.quantity) - static_cast<int>(Quantity::joint_force_x);
+  return (k < 3 ? joint.force : joint.moment)[k % 3];
+}
+
 double value_of(const Model& m, const State& s, const VerifyOptions& v) {
   if (deck::is_rigid_quantity(v.quantity))
     return rigid_value(m, s, v);
+  if (deck::is_joint_quantity(v.quantity))
+    return joint_value(m, s, v);
   std::size_t c = 0;
   while (c < m.contacts.size() && v.place != m.contacts[c]->name())
     ++c;

@@ -65,6 +65,25 @@ void local_blocks(const DofMap& dofs, const std::vector<const Connectivity*>& al
   sort_unique(shared);
 }
 
+/// All pairs of the rows of a link and of its two bodies, in owned rows.
+void append_links(const DofMap& dofs, std::vector<Block>& owned) {
+  const Global first = dofs.first_row(), end = first + dofs.num_rows();
+  for (int i = 0; i < dofs.num_links(); ++i) {
+    std::vector<Global> rows;
+    const auto add = [&](Global row) {
+      if (row >= 0)
+        rows.insert(rows.end(), {row, row + 1});
+    };
+    for (const int body : dofs.link(i).body)
+      add(body < 0 ? -1 : dofs.row_of_body(body));
+    add(dofs.row_of_link(i));
+    for (const Global r : rows)
+      for (const Global k : rows)
+        if (r >= first && r < end)
+          owned.emplace_back(r, k);
+  }
+}
+
 } // namespace
 
 void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
@@ -99,6 +118,7 @@ void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
     b.owned.emplace_back(r, r + 1);
     b.owned.emplace_back(r + 1, r);
   }
+  append_links(dofs_, b.owned);
   sort_unique(b.owned);
 
   number_columns(b);
@@ -206,6 +226,32 @@ void BlockPattern::number_rigid_nodes(const Blocks& b) {
 std::int64_t BlockPattern::body_block(int body, int i, int j) const {
   const std::size_t first = 2 * static_cast<std::size_t>(body);
   return position(body_row_[first + std::size_t(i)], body_column_[first + std::size_t(j)]);
+}
+
+void BlockPattern::add(Global row, Global column, double factor, const Mat3& m,
+                       double* values) const {
+  const Local owned_rows = dofs_.num_rows();
+  const Global first = dofs_.first_row();
+  const auto r = static_cast<Local>(row - first);
+  auto c = static_cast<Local>(column - first);
+  if (column < first || column >= first + owned_rows)
+    c = static_cast<Local>(
+        std::lower_bound(column_row_.begin() + owned_rows, column_row_.end(), column) -
+        column_row_.begin());
+  const std::int64_t p = position(r, c);
+  ABUT_REQUIRE(p >= 0, "the pattern lacks a block of a rigid body");
+  double* out = values + p;
+  for (int i = 0; i < 3; ++i, out += row_length_[r])
+    for (int j = 0; j < 3; ++j)
+      out[j] += factor * m[i][j];
+}
+
+std::vector<double> BlockPattern::diagonal(const double* values) const {
+  std::vector<double> result;
+  for (Local r = 0; r < dofs_.num_rows(); ++r)
+    for (int f = 0; f < dofs_.fields(); ++f)
+      result.push_back(values[position(r, r) + static_cast<std::int64_t>(f) * row_length_[r] + f]);
+  return result;
 }
 
 std::int64_t BlockPattern::num_values() const {

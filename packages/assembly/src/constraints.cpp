@@ -24,7 +24,7 @@ void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
 /// Brings the constraints up to date with the time. True: on this rank one begins or ends.
 bool EquationSystem::follow_windows() {
   bool changed = false;
-  for (auto* list : {&constraints_, &body_constraints_})
+  for (auto* list : {&constraints_, &body_constraints_, &joint_constraints_})
     for (RowConstraint& c : *list) {
       const bool held = c.holds;
       c.holds = c.window.holds(time_);
@@ -38,7 +38,7 @@ bool EquationSystem::follow_windows() {
 
 void EquationSystem::mark_constrained() {
   std::fill(constrained_.begin(), constrained_.end(), 0);
-  for (const auto* list : {&constraints_, &body_constraints_})
+  for (const auto* list : {&constraints_, &body_constraints_, &joint_constraints_})
     for (const RowConstraint& c : *list)
       if (c.holds)
         constrained_[static_cast<std::size_t>(c.row)] = 1;
@@ -47,7 +47,7 @@ void EquationSystem::mark_constrained() {
 
 void EquationSystem::apply_constraints(Vector& x) const {
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (const auto* list : {&constraints_, &body_constraints_})
+  for (const auto* list : {&constraints_, &body_constraints_, &joint_constraints_})
     for (const RowConstraint& c : *list)
       if (c.holds)
         view(static_cast<std::size_t>(c.row), 0) = c.at(time_);

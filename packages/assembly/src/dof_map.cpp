@@ -51,11 +51,17 @@ DofMap::DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names, Rig
     row_of_node_[n] = num_node_rows();
     node_of_row_.push_back(n);
   }
-  // Bodies go round the ranks. Only whoever knows all row counts can number them.
+  // Bodies and links go round the ranks. Only whoever knows all row counts can number them.
   num_rows_ = num_node_rows();
+  const auto on_rank = [&](int i) { return static_cast<std::size_t>(i % mesh.comm.size()); };
+  const auto mine = [&](int i) { return i % mesh.comm.size() == mesh.comm.rank(); };
   row_of_body_.assign(rigid_.has_unknowns.size(), -1);
+  row_of_link_.assign(rigid_.links.size(), -1);
   for (int b = 0; b < num_bodies(); ++b)
-    if (rigid_.has_unknowns[b] && b % mesh.comm.size() == mesh.comm.rank())
+    if (rigid_.has_unknowns[b] && mine(b))
+      num_rows_ += 2;
+  for (int i = 0; i < num_links(); ++i)
+    if (link(i).has_unknowns && mine(i))
       num_rows_ += 2;
   const auto counts = mesh.comm.all_gather(Global(num_rows()));
   const auto node_counts = mesh.comm.all_gather(Global(num_node_rows()));
@@ -65,12 +71,17 @@ DofMap::DofMap(const mesh::Mesh& mesh, std::vector<std::string> field_names, Rig
   std::vector<Global> next;
   for (std::size_t r = 0; r < node_counts.size(); ++r)
     next.push_back(first_row_[r] + node_counts[r]);
+  const auto take = [&](int i) {
+    Global& row = next[on_rank(i)];
+    row += 2;
+    return row - 2;
+  };
   for (int b = 0; b < num_bodies(); ++b)
-    if (rigid_.has_unknowns[b]) {
-      Global& row = next[static_cast<std::size_t>(b % mesh.comm.size())];
-      row_of_body_[b] = row;
-      row += 2;
-    }
+    if (rigid_.has_unknowns[b])
+      row_of_body_[b] = take(b);
+  for (int i = 0; i < num_links(); ++i)
+    if (link(i).has_unknowns)
+      row_of_link_[i] = take(i);
   map_ = rcp(new Map(static_cast<Tpetra::global_size_t>(num_global_rows() * fields()),
                      static_cast<std::size_t>(num_rows()) * static_cast<std::size_t>(fields()), 0,
                      teuchos_comm(mesh.comm)));

@@ -3,7 +3,7 @@
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
-#include "rigid_bodies.hpp"
+#include "rigid_joints.hpp"
 #include "system_parts.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ EquationSystem::EquationSystem(DofMap dofs, PhaseTimers& timers)
     : dofs_(std::move(dofs)), timers_(timers), ghosts_(dofs_.mesh()), pattern_(dofs_),
       constrained_(static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields(), 0) {
   if (dofs_.num_bodies() == 0)
-    rigid_ = std::make_unique<RigidBodies>(dofs_, std::vector<RigidBody>{});
+    set_rigid_bodies({});
 }
 
 EquationSystem::~EquationSystem() = default;
@@ -34,21 +34,43 @@ void EquationSystem::set_rigid_bodies(std::vector<RigidBody> bodies) {
   rigid_ = std::make_unique<RigidBodies>(dofs_, std::move(bodies));
   body_constraints_ = rigid_->constraints();
   follow_windows();
+  joint_constraints_.clear();
+  joints_.reset();
+  if (dofs_.num_links() == 0)
+    joints_ = std::make_unique<RigidJoints>(dofs_, *rigid_, std::vector<RigidJoint>{});
   mark_constrained();
   prepared_ = false;
+}
+
+void EquationSystem::set_rigid_joints(std::vector<RigidJoint> joints) {
+  joints_ = std::make_unique<RigidJoints>(dofs_, *rigid_, std::move(joints));
+  joint_constraints_ = joints_->constraints();
+  mark_constrained();
+  prepared_ = false;
+  joints_scaled_ = joints_->empty();
+  scale_joints_ = !joints_scaled_;
 }
 
 void EquationSystem::set_time(double t) {
   time_ = t;
   prepared_ = false;
+  scale_joints_ = !joints_scaled_;
   if (dofs_.mesh().comm.any(follow_windows()))
     mark_constrained();
 }
 
 bool EquationSystem::symmetric() const {
-  return rigid_->symmetric() && std::all_of(parts_.begin(), parts_.end(), [](const Part& p) {
-           return p.contribution->symmetric();
-         });
+  return rigid_->symmetric() && !joints_->have_unknowns() &&
+         std::all_of(parts_.begin(), parts_.end(),
+                     [](const Part& p) { return p.contribution->symmetric(); });
+}
+
+bool EquationSystem::indefinite() const {
+  return joints_->have_unknowns();
+}
+
+void EquationSystem::require_consistent() const {
+  joints_->require_consistent();
 }
 
 NodalFields EquationSystem::fields() const {
@@ -76,11 +98,20 @@ std::vector<double> EquationSystem::row_coordinates() const {
     std::copy_n(&mesh.x[static_cast<std::size_t>(dofs_.node_of_row(r)) * dim], dim,
                 &x[3 * static_cast<std::size_t>(r)]);
   rigid_->put_centers(x.data());
+  joints_->put_origins(x.data());
   return x;
 }
 
 std::vector<RigidBodyState> EquationSystem::rigid_body_states() const {
-  return rigid_->states(time_);
+  return rigid_->states(time_, joints_->body_forces());
+}
+
+std::vector<RigidJointState> EquationSystem::rigid_joint_states() const {
+  return joints_->states();
+}
+
+std::vector<std::pair<std::string, std::string>> EquationSystem::implied_constraints() const {
+  return joints_->implied();
 }
 
 /// Search, pairs and pattern for x; nothing to do when neither x nor the time changed.
@@ -88,9 +119,10 @@ void EquationSystem::prepare(const Vector& x) {
   const Comm& comm = dofs_.mesh().comm;
   std::vector<double> u = nodal_values(x);
   std::vector<Placement> placements = rigid_->place(x, time_);
+  std::vector<double> multipliers = joints_->multipliers(x);
   const bool same = prepared_ && u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
-                    rigid_->stands_at(placements);
+                    rigid_->stands_at(placements) && joints_->stands_at(multipliers);
   if (!comm.any(!same))
     return;
   for (double v : u)
@@ -104,6 +136,7 @@ void EquationSystem::prepare(const Vector& x) {
   prepared_ = false;
   forces_known_ = false;
   rigid_->move(std::move(placements));
+  joints_->move(std::move(multipliers), time_);
   comm.together([&] {
     for (Part& p : parts_) {
       const PhaseTimers::Scope scope(timers_, p.contribution->phase());
@@ -113,6 +146,23 @@ void EquationSystem::prepare(const Vector& x) {
   update_pattern();
   rigid_->follow(pattern_);
   prepared_ = true;
+  if (scale_joints_)
+    scale_joints();
+}
+
+/// Joints are as stiff as what stiffness there is, or else loads over the size of their bodies.
+/// While there is nothing, multipliers are zero and their scale may change from step to step.
+void EquationSystem::scale_joints() {
+  scale_joints_ = false;
+  assemble_tangent();
+  double largest = 0.0;
+  for (const double k : pattern_.diagonal(raw_values_.data()))
+    largest = std::max(largest, std::fabs(k));
+  largest = dofs_.mesh().comm.max(largest);
+  if (largest == 0.0)
+    largest = std::max(rigid_->load_stiffness(), joints_->load_stiffness());
+  joints_scaled_ = largest > 0.0;
+  joints_->set_stiffness(joints_scaled_ ? largest : 1.0);
 }
 
 void EquationSystem::update_pattern() {
@@ -164,6 +214,22 @@ void EquationSystem::assemble_residual(bool internal, std::vector<double>& buffe
   });
 }
 
+/// Joints balance loads as internal forces do, but may also oppose those: their size counts by
+/// itself. Returns the squared norm of this rank's.
+double EquationSystem::add_joint_forces(std::vector<double>& buffer) {
+  if (joints_->empty())
+    return 0.0;
+  std::vector<double> forces(raw_residual_.size(), 0.0);
+  joints_->add_forces(forces.data());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    sum += forces[i] * forces[i];
+    buffer[i] += forces[i];
+  }
+  joints_->add_equations(buffer.data());
+  return sum;
+}
+
 void EquationSystem::residual(const Vector& x, Vector& f) {
   if (predicted_)
     prepared_ = predicted_ = false; // what was made for the prediction holds no longer
@@ -190,6 +256,7 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
       raw_residual_[i] += buffer[i];
     }
   }
+  const double joint_norm = add_joint_forces(raw_residual_);
   rigid_->sum_forces();
   forces_known_ = true;
   double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
@@ -205,11 +272,11 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     unsettled += p.contribution->settled() ? 0.0 : 1.0;
   }
   stiff += positions / (round_off * round_off);
-  double all[4] = {norms[0], norms[1], stiff, unsettled};
-  comm.sum(all, 4);
-  settled_ = all[3] == 0.0;
-  reference_force_ = std::sqrt(std::max(all[0], all[1]));
-  round_off_force_ = round_off * std::sqrt(all[2]);
+  double all[5] = {norms[0], norms[1], stiff, unsettled, joint_norm};
+  comm.sum(all, 5);
+  settled_ = all[3] == 0.0 && joints_->closed();
+  reference_force_ = std::sqrt(std::max({all[0], all[1], all[4]}));
+  round_off_force_ = round_off * std::sqrt(all[2] + joints_->rounding_force2());
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t i = 0; i < owned; ++i)
     view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
@@ -246,6 +313,7 @@ void EquationSystem::assemble_tangent() {
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   pattern_.add_shared_values(raw_values_.data());
   rigid_->add_stiffness(time_, pattern_, raw_values_.data());
+  joints_->add_tangent(pattern_, raw_values_.data());
 }
 
 /// Values of the unknowns behind the columns of this rank's rows.
@@ -293,7 +361,7 @@ RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
 
 /// Copies the raw values and clears constrained rows and columns, but for the diagonal. A row on
 /// which no cell acts (a node without an element) gets a unit diagonal. Constrained rows of a rigid
-/// body get the largest diagonal of its rows: their own may be zero though the row is not.
+/// body get the largest diagonal of its rows, or one: their own may be zero though the row is not.
 void EquationSystem::copy_constrained(Matrix& matrix) const {
   const auto local = matrix.getLocalMatrixHost();
   const auto rows = local.numRows();
@@ -318,6 +386,8 @@ void EquationSystem::copy_constrained(Matrix& matrix) const {
       const Local first = i - (i - node_rows) % 6;
       for (Local j = first; j < first + 6; ++j)
         diagonal = std::max(diagonal, diagonal_of(j));
+      if (diagonal == 0.0)
+        diagonal = 1.0;
     }
     if (diagonal == 0.0)
       continue;
@@ -361,9 +431,10 @@ void EquationSystem::accept(const Vector& x) {
   for (Part& p : parts_)
     p.contribution->accept();
   rigid_->accept();
-  for (auto* list : {&constraints_, &body_constraints_})
+  for (auto* list : {&constraints_, &body_constraints_, &joint_constraints_})
     for (RowConstraint& c : *list)
       c.has_held = c.holds;
+  joints_->accept();
   if (rigid_->have_unknowns())
     prepared_ = false; // the same place, but the rotation's increments count from here
 }

@@ -203,24 +203,35 @@ RigidScatter RigidBodies::scatter(const CellPositions& positions) {
   return s;
 }
 
-/// A force or moment as it acts at t.
-Vec3 RigidBodies::load(std::size_t b, const Vec3& vector, double t) const {
-  const double factor = bodies_[b].load_factor ? bodies_[b].load_factor(t) : 1.0;
-  const Vec3 now = factor * vector;
-  return bodies_[b].follower ? placements_[b].rotation * now : now;
+/// The force, or the moment, as it acts at t.
+Vec3 RigidBodies::load(std::size_t b, bool moment, double t) const {
+  const RigidBody& body = bodies_[b];
+  Vec3 now = moment ? body.moment : body.force;
+  for (int i = 0; i < 3; ++i)
+    if (const auto& factor = body.load_factor[std::size_t(moment ? 3 + i : i)])
+      now[i] *= factor(t);
+  return body.follower ? placements_[b].rotation * now : now;
 }
 
 void RigidBodies::add_loads(double t, double* residual) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!owns(b))
       continue;
-    const Vec3 force = load(b, bodies_[b].force, t), moment = load(b, bodies_[b].moment, t);
+    const Vec3 force = load(b, false, t), moment = load(b, true, t);
     double* out = residual + first_owned_row(b);
     for (int i = 0; i < 3; ++i) {
       out[i] -= force[i];
       out[3 + i] -= moment[i] / length_[b];
     }
   }
+}
+
+double RigidBodies::load_stiffness() const {
+  double largest = 0.0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    largest = std::max(largest, (norm(bodies_[b].force) + norm(bodies_[b].moment) / length_[b]) /
+                                    length_[b]);
+  return largest;
 }
 
 void RigidBodies::sum_forces() {
@@ -241,8 +252,8 @@ void RigidBodies::add_stiffness(double t, const BlockPattern& pattern, double* v
       for (int j = 0; j < 3; ++j)
         of_moment[i][j] = s[3 * i + j] - (i == j ? trace : 0.0);
     if (bodies_[b].follower) { // d(-F) = -w x F
-      of_force = skew(load(b, bodies_[b].force, t));
-      const Mat3 turned = skew(load(b, bodies_[b].moment, t));
+      of_force = skew(load(b, false, t));
+      const Mat3 turned = skew(load(b, true, t));
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           of_moment[i][j] += turned[i][j];
@@ -268,7 +279,11 @@ bool RigidBodies::is_held(std::size_t b, std::size_t component, double t) const 
          });
 }
 
-std::vector<RigidBodyState> RigidBodies::states(double t) const {
+Mat3 RigidBodies::turn(std::size_t b) const {
+  return scaled(1.0 / length_[b], rotation_tangent(placements_[b].step_rotation));
+}
+
+std::vector<RigidBodyState> RigidBodies::states(double t, const std::vector<double>& others) const {
   std::vector<RigidBodyState> result(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     RigidBodyState& state = result[b];
@@ -276,15 +291,16 @@ std::vector<RigidBodyState> RigidBodies::states(double t) const {
     state.displacement = p.displacement;
     state.rotation = bodies_[b].has_unknowns() ? rotation_vector(p.rotation, accepted_vector_[b])
                                                : p.step_rotation;
-    const Vec3 force = load(b, bodies_[b].force, t), moment = load(b, bodies_[b].moment, t);
+    const Vec3 force = load(b, false, t), moment = load(b, true, t);
     const double* f = &force_[12 * b];
     const double* s = f + 3; // sum of arm f^T, whose skew part is the moment
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       if (is_held(b, std::size_t(i), t))
-        state.force[i] = f[i] - force[i];
+        state.force[i] = f[i] + others[6 * b + std::size_t(i)] - force[i];
       if (is_held(b, std::size_t(i + 3), t))
-        state.moment[i] = s[3 * j + k] - s[3 * k + j] - moment[i];
+        state.moment[i] =
+            s[3 * j + k] - s[3 * k + j] + others[6 * b + 3 + std::size_t(i)] - moment[i];
     }
   }
   return result;

@@ -39,6 +39,15 @@ public:
   RigidBodies(const DofMap& dofs, std::vector<RigidBody> bodies);
 
   bool empty() const { return bodies_.empty(); }
+  std::size_t size() const { return bodies_.size(); }
+  const RigidBody& body(std::size_t body) const { return bodies_[body]; }
+  double length(std::size_t body) const { return length_[body]; } ///< largest arm, or 1 [length]
+  bool owns(std::size_t body) const;                   ///< whether its rows are this rank's
+  std::size_t first_owned_row(std::size_t body) const; ///< scalar row of an owned body
+  /// The trial state.
+  const Placement& placement(std::size_t body) const { return placements_[body]; }
+  /// Spatial rotation by unknowns of rotation, in the trial state [rad/length].
+  Mat3 turn(std::size_t body) const;
   bool have_unknowns() const { return have_unknowns_; }
   bool symmetric() const; ///< whether no rotation is an unknown
   std::vector<RowConstraint> constraints() const;
@@ -64,20 +73,20 @@ public:
   void clear_forces() { force_.assign(12 * bodies_.size(), 0.0); }
   /// Adds minus the bodies' loads at t to their owned rows.
   void add_loads(double t, double* residual) const;
+  /// Largest load over its body's size [force/length].
+  double load_stiffness() const;
   /// Sums the forces on the nodes over the ranks. Collective.
   void sum_forces();
   /// Adds to the owned rows how moments change with arms, and follower loads with the rotation; for
   /// the forces of the last sum.
   void add_stiffness(double t, const BlockPattern& pattern, double* values) const;
 
-  /// After sum_forces at t.
-  std::vector<RigidBodyState> states(double t) const;
+  /// After sum_forces at t. others: (bodies,6) further internal forces and moments about centers.
+  std::vector<RigidBodyState> states(double t, const std::vector<double>& others) const;
 
 private:
-  Vec3 load(std::size_t body, const Vec3& vector, double t) const;
+  Vec3 load(std::size_t body, bool moment, double t) const;
   bool is_held(std::size_t body, std::size_t component, double t) const;
-  bool owns(std::size_t body) const;
-  std::size_t first_owned_row(std::size_t body) const; ///< scalar row of an owned body
 
   const DofMap& dofs_;
   std::vector<RigidBody> bodies_;

@@ -3,7 +3,7 @@
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
-#include "rigid_bodies.hpp"
+#include "rigid_joints.hpp"
 #include "system_parts.hpp"
 
 #include <cmath>

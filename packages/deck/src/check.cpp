@@ -19,6 +19,8 @@ public:
 
   void run() const {
     bodies();
+    for (const auto& joint : deck_.joints)
+      this->joint("joints." + joint.name, joint);
     for (const auto& d : deck_.displacements)
       curve("displacements." + d.name, d.curve);
     for (const auto& load : deck_.loads)
@@ -69,7 +71,7 @@ private:
 
   void bodies() const {
     std::map<std::string, std::string> owner;
-    bool deformable = false;
+    bool moves = false;
     for (const auto& body : deck_.bodies) {
       const std::string path = "bodies." + body.name;
       for (const std::string& block : body.blocks) {
@@ -78,14 +80,15 @@ private:
           fail(path + ".blocks",
                "block '" + block + "' already belongs to body '" + other->second + "'");
       }
-      deformable = deformable || !body.rigid;
+      moves = moves || !body.rigid || body.motion.has_unknowns();
       if (body.rigid)
         rigid(path + ".rigid", body.motion);
       else
         name(path + ".material", body.material, deck_.materials, "materials");
     }
-    if (!deformable)
-      fail("bodies", "all bodies are rigid; expected one with a material");
+    if (!moves)
+      fail("bodies", "the motion of all bodies is prescribed; expected one with a material, or a "
+                     "rigid one with components that are 'free'");
   }
 
   void rigid(const std::string& path, const solid::RigidMotion& motion) const {
@@ -96,15 +99,45 @@ private:
       curve(path + ".curves", motion.curves[i], components[i]);
     for (const auto& hold : motion.holds)
       curve(path + ".holds." + hold.name, hold.curve);
+    for (std::size_t i = 0; i < 6; ++i)
+      curve(path + ".load_curves", motion.load_curves[i], components[i]);
+  }
+
+  void joint(const std::string& path, const solid::JointOptions& joint) const {
+    curve(path, joint.curve);
+    curve(path, joint.load_curve, ".load_curve");
+    if (joint.bodies.size() != 2 || joint.bodies[0] == joint.bodies[1])
+      fail(path + ".bodies", "expected the names of two rigid bodies, or of one and 'ground'");
+    if ((joint.turns() || joint.slides()) && joint.axis == std::array<double, 3>{})
+      fail(path + ".axis", "expected a direction, got zero");
+    if (joint.kind == solid::JointKind::spring && joint.from == joint.to &&
+        joint.free_length != 0.0)
+      fail(path + ".to", "the spring has no length: move its points apart, or give "
+                         "'free_length: 0'");
+    for (const std::string& word : joint.bodies)
+      if (word != solid::JointOptions::ground || has_body(word))
+        rigid_body(path + ".bodies", word);
+    if (deck_.linear.method == solver::LinearMethod::krylov &&
+        joint.kind != solid::JointKind::spring)
+      fail("linear_solver.method", "joints need a direct solver: automatic or direct");
   }
 
   void rigid_place(const std::string& path, const std::string& word) const {
     if (word.empty())
       fail(path, "missing key 'place' (the rigid body)");
-    name(path + ".place", word, deck_.bodies, "bodies");
+    rigid_body(path + ".place", word);
+  }
+
+  bool has_body(const std::string& word) const {
+    return std::any_of(deck_.bodies.begin(), deck_.bodies.end(),
+                       [&](const auto& body) { return body.name == word; });
+  }
+
+  void rigid_body(const std::string& path, const std::string& word) const {
+    name(path, word, deck_.bodies, "bodies");
     for (const auto& body : deck_.bodies)
       if (body.name == word && !body.rigid)
-        fail(path + ".place", "body '" + word + "' is not rigid");
+        fail(path, "body '" + word + "' is not rigid");
   }
 
   void verify(const VerifyOptions& v) const {
@@ -115,6 +148,10 @@ private:
       contact_place(path, v.place);
     } else if (is_rigid_quantity(v.quantity)) {
       rigid_place(path, v.place);
+    } else if (is_joint_quantity(v.quantity)) {
+      if (v.place.empty())
+        fail(path, "missing key 'place' (the joint)");
+      name(path + ".place", v.place, deck_.joints, "joints");
     } else if (v.quantity == Quantity::newton_iterations) {
       if (!v.place.empty())
         fail(path + ".place", "newton_iterations counts the whole run");

@@ -59,6 +59,10 @@ bool is_rigid_quantity(Quantity quantity) {
   return quantity >= Quantity::rigid_displacement_x && quantity <= Quantity::rigid_moment_z;
 }
 
+bool is_joint_quantity(Quantity quantity) {
+  return quantity >= Quantity::joint_force_x && quantity <= Quantity::joint_rotation;
+}
+
 double VerifyOptions::allowed_error() const {
   return std::max(tolerance.value_or(0.0), relative_tolerance.value_or(0.0) * std::abs(expected));
 }

@@ -122,6 +122,11 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
   v.optional("follower", o.follower, "force and moment turn with the body");
   v.optional("load_curve", o.load_curve,
              "factor of force and moment over the load parameter; without one, t itself");
+  v.group("load_curves", "of single components of force and moment, instead of 'load_curve'",
+          [&](auto& w) {
+            for (std::size_t i = 0; i < 6; ++i)
+              w.optional(components[i], o.load_curves[i], "factor over the load parameter");
+          });
 
   for (std::size_t i = 0; i < 6; ++i)
     o.free[i] = std::find(free.begin(), free.end(), components[i]) != free.end();
@@ -140,6 +145,73 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
   for (const char* key : {"force", "moment"})
     v.check(key, o.has_unknowns() || (key[0] == 'f' ? o.force : o.moment) == none,
             "the motion is prescribed, so a load moves nothing; list what may move under 'free'");
+}
+
+template <class V> void describe(V& v, solid::JointOptions& o) {
+  using solid::JointKind;
+  v.required_choice(
+      "kind", o.kind,
+      {{"revolute", JointKind::revolute, "turns about its axis"},
+       {"prismatic", JointKind::prismatic, "slides along its axis"},
+       {"cylindrical", JointKind::cylindrical, "turns about and slides along its axis"},
+       {"spherical", JointKind::spherical, "turns about its origin"},
+       {"lock", JointKind::lock, "the bodies move as one"},
+       {"spring", JointKind::spring, "linear, between a point of each body"}},
+      "what the bodies may do against each other");
+  v.required("bodies", o.bodies, "two rigid bodies, or one and 'ground', which never moves");
+  v.when(o.kind != JointKind::spring, "revolute, prismatic, cylindrical, spherical, lock", [&] {
+    v.required("origin", o.origin, "point of both bodies in the reference configuration",
+               unit("length"));
+  });
+  v.when(o.turns() || o.slides(), "revolute, prismatic, cylindrical", [&] {
+    v.required("axis", o.axis, "in the reference configuration; its length does not matter",
+               unit("1"));
+  });
+  v.when(o.turns(), "revolute, cylindrical", [&] {
+    v.optional("rotation", o.rotation,
+               "of the second body against the first about the axis; free when not given",
+               unit("rad"));
+    v.optional("moment", o.moment, "on the second body about the axis, minus it on the first",
+               unit("force length"));
+  });
+  v.when(o.slides(), "prismatic, cylindrical", [&] {
+    v.optional("translation", o.translation,
+               "of the second body against the first along the axis; free when not given",
+               unit("length"));
+    v.optional("force", o.force, "on the second body along the axis, minus it on the first",
+               unit("force"));
+  });
+  v.when(o.kind == JointKind::spherical, "spherical", [&] {
+    v.optional("rotation_vector", o.rotation_vector,
+               "of the second body against the first, in directions that turn with the first; free "
+               "when not given",
+               unit("rad"));
+    v.optional("moment_vector", o.moment_vector,
+               "on the second body, minus it on the first; fixed in space", unit("force length"));
+  });
+  v.when(o.turns() || o.slides() || o.kind == JointKind::spherical,
+         "revolute, prismatic, cylindrical, spherical", [&] {
+           v.optional(
+               "curve", o.curve,
+               "factor of rotation and translation over the load parameter; without one, t itself");
+           v.optional("load_curve", o.load_curve,
+                      "factor of moment and force over the load parameter; without one, t itself");
+         });
+  v.when(o.kind == JointKind::spring, "spring", [&] {
+    v.required("from", o.from, "point of the first body in the reference configuration",
+               unit("length"));
+    v.required("to", o.to, "point of the second body in the reference configuration",
+               unit("length"));
+    v.required("stiffness", o.stiffness, "force over elongation", positive("force/length"));
+    v.optional("free_length", o.free_length, "without force; when not given, from 'from' to 'to'",
+               at_least(0.0, "length"));
+  });
+  v.check("moment_vector", !o.rotation_vector || !o.moment_vector,
+          "the rotation is prescribed, so a moment moves nothing");
+  v.check("moment", !o.rotation || !o.moment,
+          "the rotation is prescribed, so a moment moves nothing");
+  v.check("force", !o.translation || !o.force,
+          "the translation is prescribed, so a force moves nothing");
 }
 
 template <class V> void describe(V& v, solid::BodyOptions& o) {
@@ -447,9 +519,19 @@ template <class V> void describe(V& v, VerifyOptions& o) {
        {"rigid_force_z", Quantity::rigid_force_z},
        {"rigid_moment_x", Quantity::rigid_moment_x, "about the current center, as rigid_force"},
        {"rigid_moment_y", Quantity::rigid_moment_y},
-       {"rigid_moment_z", Quantity::rigid_moment_z}},
+       {"rigid_moment_z", Quantity::rigid_moment_z},
+       {"joint_force_x", Quantity::joint_force_x, "of a joint's first body on its second"},
+       {"joint_force_y", Quantity::joint_force_y},
+       {"joint_force_z", Quantity::joint_force_z},
+       {"joint_moment_x", Quantity::joint_moment_x, "the same, about the joint"},
+       {"joint_moment_y", Quantity::joint_moment_y},
+       {"joint_moment_z", Quantity::joint_moment_z},
+       {"joint_translation", Quantity::joint_translation,
+        "along a joint's axis; of a spring, its elongation"},
+       {"joint_rotation", Quantity::joint_rotation,
+        "about a joint's axis, in rad, whole turns counted"}},
       "what is compared, at the end of the run");
-  v.optional("place", o.place, "contact interface, rigid body, node set or side set");
+  v.optional("place", o.place, "contact interface, rigid body, joint, node set or side set");
   v.optional("point", o.point, "reference coordinates", unit("length"));
   v.required("expected", o.expected, "the value");
   v.optional("tolerance", o.tolerance, "allowed error, absolute", at_least(0.0));
@@ -476,6 +558,7 @@ template <class V> void describe(V& v, Deck& o) {
   v.named_map("materials", o.materials, "materials by name");
   v.named_map("bodies", o.bodies, "what the blocks of the mesh are made of, and rigid bodies",
               true);
+  v.named_map("joints", o.joints, "what connects rigid bodies");
   v.named_map("displacements", o.displacements, "prescribed displacements");
   v.named_map("loads", o.loads, "external loads");
   v.curve_map("curves", o.curves,

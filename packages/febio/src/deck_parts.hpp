@@ -72,13 +72,15 @@ struct RigidBody {
   std::array<std::vector<PartHold>, 6> holds; ///< of free components
   bool follower = false;                      ///< of its loads
   Vec3 center = Vec3::zero();
+  bool is_jointed = false;
+  std::string deck_name; ///< once the deck's bodies are written
 
   /// Whether all it does is to prescribe displacements of nodes; the deck then has no body for it.
   bool is_displacement() const {
     for (const bool f : free)
       if (f)
         return false;
-    return domains.empty() && !turns();
+    return domains.empty() && !turns() && !is_jointed;
   }
   bool turns() const {
     for (std::size_t i = 3; i < 6; ++i)
@@ -94,6 +96,14 @@ struct RigidBody {
 struct RigidBodies {
   std::vector<RigidBody> bodies;
   std::unordered_map<Global, int> body_of_node; ///< node ids
+
+  /// Null where the material has no body.
+  const RigidBody* of_material(const std::string& material) const {
+    for (const RigidBody& body : bodies)
+      if (std::find(body.materials.begin(), body.materials.end(), material) != body.materials.end())
+        return &body;
+    return nullptr;
+  }
 };
 
 RigidBodies rigid_bodies(const Model& model, MeshTranslation& mesh, Report& report);
@@ -114,6 +124,8 @@ PassPenalty automatic_penalty(const Model& model, const MeshTranslation& mesh, d
 /// Lines of the sections. `names`: FEBio's names stand in comments where they differ.
 std::string displacements_text(const Model& model, const RigidBodies& rigid, MeshTranslation& mesh,
                                DeckCurves& curves, Report& report);
+std::string joints_text(const Model& model, const RigidBodies& rigid, DeckCurves& curves,
+                        Report& report);
 std::string contact_text(const Model& model, const MeshTranslation& mesh, DeckCurves& curves,
                          Report& report);
 

@@ -75,6 +75,7 @@ public:
                       "\nmesh: {file: " + quoted(name + ".exo") + "}\n";
     out += materials();
     out += bodies();
+    out += joints_text(model_, rigid_, curves_, report_);
     out += displacements_text(model_, rigid_, mesh_, curves_, report_);
     const std::string loads_part = loads();
     const std::string contact_part = contact_text(model_, mesh_, curves_, report_);
@@ -171,10 +172,10 @@ private:
       map.add("material", material_name_.at(d.material));
       out += "  " + name + ": " + map.text() + "\n";
     }
-    for (const RigidBody& body : rigid_.bodies) {
+    for (RigidBody& body : rigid_.bodies) {
       if (body.is_displacement())
         continue;
-      const std::string name = names.make(body.materials[0], "rigid");
+      const std::string name = body.deck_name = names.make(body.materials[0], "rigid");
       std::string febio;
       for (const std::string& m : body.materials)
         febio += (febio.empty() ? "" : " and ") + m;
@@ -256,7 +257,7 @@ private:
     add("displacement", part(motion, 0));
     add("rotation", part(motion, 3));
     add("center", {body.center[0], body.center[1], body.center[2]});
-    add_curves(map, motion);
+    add_curves(map, motion, "curve");
     std::vector<std::string> free;
     for (std::size_t i = 0; i < 6; ++i)
       if (body.free[i])
@@ -266,11 +267,9 @@ private:
     const std::array<Timed, 6> load = timed(body.load);
     add("force", part(load, 0));
     add("moment", part(load, 3));
-    if (body.is_loaded()) {
-      map.add("load_curve", curve_of_load(body, load));
-      if (body.follower)
-        map.add("follower", "true");
-    }
+    add_curves(map, load, "load_curve");
+    if (body.is_loaded() && body.follower)
+      map.add("follower", "true");
     return map;
   }
 
@@ -283,31 +282,18 @@ private:
   }
 
   /// One curve, or a map of curves where components differ.
-  static void add_curves(FlowMap& map, const std::array<Timed, 6>& motion) {
+  static void add_curves(FlowMap& map, const std::array<Timed, 6>& values, const std::string& key) {
     FlowMap each;
     std::set<std::string> names;
     for (std::size_t i = 0; i < 6; ++i)
-      if (!motion[i].curve.empty()) {
-        each.add(components[i], motion[i].curve);
-        names.insert(motion[i].curve);
+      if (!values[i].curve.empty()) {
+        each.add(components[i], values[i].curve);
+        names.insert(values[i].curve);
       }
     if (names.size() == 1)
-      map.add("curve", *names.begin());
+      map.add(key, *names.begin());
     else if (names.size() > 1)
-      map.add("curves", each.text());
-  }
-
-  std::string curve_of_load(const RigidBody& body, const std::array<Timed, 6>& load) {
-    std::set<std::string> names;
-    for (const Timed& t : load)
-      if (!t.curve.empty())
-        names.insert(t.curve);
-    if (names.size() > 1)
-      report_.add({model_.material(body.materials[0])->line, "Rigid/rigid_load", Fate::refused,
-                   "loads on rigid body '" + body.materials[0] +
-                       "' follow different load curves: abut has one curve for the loads of a "
-                       "body"});
-    return *names.begin();
+      map.add(key + "s", each.text());
   }
 
   /// Entries of one load: components that follow one curve stand together.

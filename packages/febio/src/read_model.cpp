@@ -81,10 +81,11 @@ private:
     f(model_.rigid_loads, before_[3]);
     f(model_.loads, before_[4]);
     f(model_.contacts, before_[5]);
+    f(model_.connectors, before_[6]);
   }
 
   Model& model_;
-  std::array<std::size_t, 6> before_{};
+  std::array<std::size_t, 7> before_{};
 };
 
 void read_steps(Element root, Model& model) {

@@ -9,18 +9,6 @@ namespace abut::febio {
 
 namespace {
 
-/// The material of a rigid body by name, or by its place in the file as older files have it.
-std::string rigid_body(Element parent, const Model& model) {
-  const Element rb = parent.required_child("rb");
-  const std::string name = rb.text();
-  const Material* material = model.material(name);
-  if (!material)
-    rb.fail("there is no material '" + name + "'");
-  if (!material->is_rigid())
-    rb.fail("material '" + name + "' is not a rigid body");
-  return name;
-}
-
 int component(const Element& dof, std::initializer_list<const char*> words) {
   const std::string text = dof.text();
   const std::vector<std::string> valid(words.begin(), words.end());
@@ -34,7 +22,7 @@ void read_fixed(Element bc, Model& model) {
   constexpr const char* words[] = {"Rx_dof", "Ry_dof", "Rz_dof", "Ru_dof", "Rv_dof", "Rw_dof"};
   RigidCondition c;
   c.fixed = true;
-  c.body = rigid_body(bc, model);
+  c.body = read_rigid_body(bc, "rb", model);
   for (std::size_t i = 0; i < 6; ++i)
     c.components[i] = bc.flag_or(words[i], false);
   c.name = bc.attribute_or("name", "");
@@ -44,7 +32,7 @@ void read_fixed(Element bc, Model& model) {
 
 void read_prescribed(Element bc, bool rotation, Model& model) {
   RigidCondition c;
-  c.body = rigid_body(bc, model);
+  c.body = read_rigid_body(bc, "rb", model);
   const Element dof = bc.required_child("dof");
   const int i = rotation ? component(dof, {"Ru", "Rv", "Rw"}) % 3 + 3
                          : component(dof, {"x", "y", "z", "Rx", "Ry", "Rz"}) % 3;
@@ -58,7 +46,7 @@ void read_prescribed(Element bc, bool rotation, Model& model) {
 
 void read_load(Element load, const std::string& type, Model& model) {
   RigidLoad r;
-  r.body = rigid_body(load, model);
+  r.body = read_rigid_body(load, "rb", model);
   const Element dof = load.required_child("dof");
   r.component = type == "rigid_moment" ? component(dof, {"Ru", "Rv", "Rw"}) + 3
                                        : component(dof, {"Rx", "Ry", "Rz", "Ru", "Rv", "Rw"});
@@ -77,6 +65,17 @@ void read_load(Element load, const std::string& type, Model& model) {
 
 } // namespace
 
+std::string read_rigid_body(Element parent, const char* key, const Model& model) {
+  const Element body = parent.required_child(key);
+  const std::string name = body.text();
+  const Material* material = model.material(name);
+  if (!material)
+    body.fail("there is no material '" + name + "'");
+  if (!material->is_rigid())
+    body.fail("material '" + name + "' is not a rigid body");
+  return name;
+}
+
 void read_rigid(Element section, Model& model) {
   for (Element bc : section.children("rigid_bc")) {
     const std::string type = bc.required_attribute("type");
@@ -94,8 +93,8 @@ void read_rigid(Element section, Model& model) {
     else
       load.refuse("type '" + type + "': abut has rigid_force and rigid_moment");
   }
-  for (Element joint : section.children("rigid_connector"))
-    joint.refuse("abut has no joints between rigid bodies");
+  for (Element connector : section.children("rigid_connector"))
+    read_connector(connector, model);
 }
 
 void read_boundary(Element section, Model& model) {
@@ -106,7 +105,7 @@ void read_boundary(Element section, Model& model) {
     if (place.empty() && type != "rigid_deformation")
       bc.fail("expected an attribute 'node_set'");
     if (type == "rigid") {
-      model.ties.push_back({name, place, rigid_body(bc, model), bc.line()});
+      model.ties.push_back({name, place, read_rigid_body(bc, "rb", model), bc.line()});
       continue;
     }
     Displacement d;

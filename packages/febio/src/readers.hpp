@@ -12,6 +12,10 @@ void read_mesh(Element section, Model& model);
 void read_mesh_domains(Element section, Model& model);
 void read_boundary(Element section, Model& model);
 void read_rigid(Element section, Model& model);
+/// A <rigid_connector>.
+void read_connector(Element connector, Model& model);
+/// The rigid material that the child `key` names.
+std::string read_rigid_body(Element parent, const char* key, const Model& model);
 void read_loads(Element section, Model& model);
 void read_contacts(Element section, Model& model);
 /// Walls become rigid bodies and contacts.

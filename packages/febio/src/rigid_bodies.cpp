@@ -3,6 +3,7 @@
 #include "deck_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace abut::febio {
@@ -30,6 +31,10 @@ public:
       free_components(b);
     for (const RigidLoad& l : model_.rigid_loads)
       load(l);
+    for (const RigidConnector& c : model_.connectors)
+      for (const std::string& material : c.bodies)
+        if (RigidBody* body = find(material))
+          body->is_jointed = true;
     check_body_loads();
     for (RigidBody& body : result_.bodies)
       if (body.turns() || body.is_loaded())
@@ -233,8 +238,9 @@ private:
     if (!(mass > 0.0))
       return Vec3::zero();
     Vec3 center = 1.0 / mass * moment;
+    const double noise = 1e-12 * norm(center);
     for (double& x : center.v)
-      x = rounded(x, 12); // the digits that are known
+      x = std::abs(x) > noise ? rounded(x, 12) : 0.0; // the digits that are known
     return center;
   }
 

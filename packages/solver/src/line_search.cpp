@@ -47,7 +47,8 @@ bool SlopeLineSearch::compute(NOX::Abstract::Group& group, double& step,
       throw SolveError(failure_);
     step *= 0.5;
   }
-  const bool overshoots = slope * slope_start < 0.0;
+  const bool better = indefinite_ && group.getNormF() < old_->getNormF();
+  const bool overshoots = slope * slope_start < 0.0 && !better;
   if (!overshoots || std::abs(slope) <= accept_full * std::abs(slope_start) || step <= floor_) {
     floor_ = first_floor;
     return true;

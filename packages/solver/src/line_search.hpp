@@ -14,8 +14,11 @@ namespace abut::solver {
 /// A stiff contact that closes within the step has its root at the first touch; were that step
 /// taken each time, faces would close one by one. The shortest step is therefore 0.1, and doubles
 /// with every iteration in a row that the slope shortened.
+/// With multipliers among the unknowns the slope alone says little: the full step is also taken
+/// where it makes the residual smaller.
 class SlopeLineSearch : public NOX::LineSearch::Generic {
 public:
+  explicit SlopeLineSearch(bool indefinite) : indefinite_(indefinite) {}
   bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                const NOX::Solver::Generic& solver) override;
 
@@ -29,16 +32,21 @@ private:
   const NOX::Abstract::Group* old_ = nullptr;
   const NOX::Abstract::Vector* direction_ = nullptr;
   double floor_ = first_floor;
+  bool indefinite_;
   std::string failure_;
 };
 
 /// Hands a line search to NOX's parameter list.
 class SlopeLineSearchFactory : public NOX::LineSearch::UserDefinedFactory {
 public:
+  explicit SlopeLineSearchFactory(bool indefinite) : indefinite_(indefinite) {}
   Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&,
                                                          Teuchos::ParameterList&) const override {
-    return Teuchos::rcp(new SlopeLineSearch);
+    return Teuchos::rcp(new SlopeLineSearch(indefinite_));
   }
+
+private:
+  bool indefinite_;
 };
 
 } // namespace abut::solver

@@ -105,7 +105,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options,
                                                  PhaseTimers* timers) {
   const auto unknowns = static_cast<long long>(system.map()->getGlobalNumElements());
   const bool direct =
-      options.method == LinearMethod::direct ||
+      system.indefinite() || options.method == LinearMethod::direct ||
       (options.method == LinearMethod::automatic && unknowns <= options.direct_limit);
   if (direct)
     return std::make_unique<MumpsSolver>(timers);

@@ -121,7 +121,9 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
     loop_.newton().begin_step(x);
     predict(system, x);
     tried.result = loop_.solve(system, x, counting_observer);
-    if (!tried.result.converged)
+    if (tried.result.converged)
+      system.require_consistent();
+    else
       tried.reason = tried.result.reason;
   } catch (const SolveError& e) {
     tried.reason = e.what();

@@ -54,7 +54,8 @@ constexpr double null_pivot = 1e-15;
 constexpr double runaway = 1e13;
 
 const char* const singular_message =
-    "The stiffness matrix is singular: some body, or part of one, is free to move.";
+    "The stiffness matrix is singular: some body, or part of one, is free to move, or joints hold "
+    "one motion twice.";
 
 } // namespace
 

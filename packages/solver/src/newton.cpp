@@ -21,7 +21,8 @@ namespace abut::solver {
 
 namespace {
 
-RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double linear_tolerance) {
+RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double linear_tolerance,
+                                           bool indefinite) {
   const auto list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
   auto& newton = list->sublist("Direction").set("Method", "Newton").sublist("Newton");
@@ -32,8 +33,8 @@ RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double 
   auto& search = list->sublist("Line Search");
   if (options.line_search == LineSearch::automatic) {
     search.set("Method", "User Defined");
-    search.set<RCP<NOX::LineSearch::UserDefinedFactory>>("User Defined Line Search Factory",
-                                                         rcp(new SlopeLineSearchFactory));
+    search.set<RCP<NOX::LineSearch::UserDefinedFactory>>(
+        "User Defined Line Search Factory", rcp(new SlopeLineSearchFactory(indefinite)));
   } else {
     search.set("Method", "Full Step");
   }
@@ -64,7 +65,7 @@ RCP<NOX::Solver::Generic> build_solver(const RCP<NOX::Abstract::Group>& group,
 
 NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options, double linear_tolerance)
     : linear_(linear), options_(std::move(options)), linear_tolerance_(linear_tolerance) {
-  nox_parameters(options_, linear_tolerance_);
+  nox_parameters(options_, linear_tolerance_, false);
 }
 
 void NewtonSolver::begin_step(const Vector& x) {
@@ -86,7 +87,8 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
     origin = rcp(new Vector(x, Teuchos::Copy));
   const IncrementScale scale{*origin, largest_work_};
   const auto test = rcp(new ConvergenceTest(system, linear_, options_, early, scale, observer));
-  const auto solver = build_solver(group, test, nox_parameters(options_, linear_tolerance_));
+  const auto solver =
+      build_solver(group, test, nox_parameters(options_, linear_tolerance_, system.indefinite()));
   try {
     solver->solve();
   } catch (const char* e) {

@@ -33,7 +33,7 @@ struct Scene {
     body[0].center = {{0.5, 0.4, -0.2}};
     body[0].force = {{0.3, -0.2, 0.5}};
     body[0].moment = {{-0.4, 0.1, 0.2}};
-    body[0].load_factor = [](double t) { return t; };
+    body[0].load_factor.fill([](double t) { return t; });
     body[0].follower = true;
     body[1].name = "roof";
     body[1].center = {{0.3, 0.5, 1.0}};

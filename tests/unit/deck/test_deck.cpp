@@ -129,6 +129,42 @@ TEST(Deck, WrittenDeckReadsBackTheSame) {
   EXPECT_EQ(again.linear.muelu, deck.linear.muelu);
 }
 
+TEST(Deck, JointsOfEveryKind) {
+  const std::string text = R"(mesh: {file: a.exo}
+bodies:
+  a: {blocks: [a], rigid: {free: [x], force: [1, 0, 0], load_curves: {x: up}}}
+  b: {blocks: [b], rigid: {}}
+joints:
+  pin: {kind: revolute, bodies: [a, b], origin: [1, 2, 3], axis: [0, 0, 2], rotation: 2 * t, curve: up}
+  rail: {kind: prismatic, bodies: [ground, a], origin: [0, 0, 0], axis: [1, 0, 0], force: 4}
+  rod: {kind: cylindrical, bodies: [a, b], origin: [0, 0, 0], axis: [1, 0, 0], translation: 3, moment: 5}
+  ball: {kind: spherical, bodies: [a, b], origin: [0, 0, 1], rotation_vector: [t, 2, 0], curve: up}
+  weld: {kind: lock, bodies: [a, b], origin: [0, 0, 1]}
+  coil: {kind: spring, bodies: [a, b], from: [0, 0, 1], to: [0, 0, 2], stiffness: 10}
+  pull: {kind: spring, bodies: [a, b], from: [0, 0, 1], to: [0, 0, 1], stiffness: 10, free_length: 0}
+curves: {up: [[0, 0], [1, 2]]}
+verify: {v: {quantity: joint_moment_z, place: pin, expected: 1, tolerance: 1}}
+)";
+  const Deck deck = parse_deck(text, "d.yaml");
+  ASSERT_EQ(deck.joints.size(), 7u);
+  const solid::JointOptions& pin = deck.joints[0];
+  EXPECT_EQ(pin.kind, solid::JointKind::revolute);
+  EXPECT_EQ(pin.bodies, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(pin.origin[2], 3.0);
+  EXPECT_EQ(pin.rotation->at(Vec3::zero(), 0.5, deck.curve("up")), 1.0);
+  EXPECT_FALSE(pin.moment || pin.translation || pin.force);
+  EXPECT_EQ(deck.joints[1].force->at(Vec3::zero(), 0.5, {}), 2.0);
+  EXPECT_EQ(deck.joints[2].translation->number, 3.0);
+  EXPECT_EQ((*deck.joints[3].rotation_vector)[1].number, 2.0);
+  EXPECT_EQ(deck.joints[5].stiffness, 10.0);
+  EXPECT_FALSE(deck.joints[5].free_length);
+  EXPECT_EQ(deck.joints[6].free_length, 0.0);
+  EXPECT_EQ(deck.bodies[0].motion.load_curves[0], "up");
+  EXPECT_TRUE(is_joint_quantity(deck.verify[0].quantity));
+  const std::string written = to_yaml(deck);
+  EXPECT_EQ(to_yaml(parse_deck(written, "d.yaml")), written);
+}
+
 TEST(Deck, TrilinosListsArriveTyped) {
   const Deck d = parse_deck(yaml_scene, "ball.yaml");
   const auto nox = Teuchos::getParametersFromXmlString(d.newton.nox);

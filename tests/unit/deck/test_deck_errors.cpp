@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{
             6, "contct:",
-            "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, "
+            "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, joints, "
             "displacements, loads, curves, contact, time, newton, linear_solver, output, trilinos, "
             "check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
@@ -186,7 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{5, "  ball: {blocks: [1, 1], material: steel}",
              "d.yaml:5: bodies.ball.blocks: block '1' already belongs to body 'ball'"},
         Case{5, "  ball: {blocks: [1], rigid: {}}",
-             "d.yaml:4: bodies: all bodies are rigid; expected one with a material"},
+             "d.yaml:4: bodies: the motion of all bodies is prescribed; expected one with a "
+             "material, or a rigid one with components that are 'free'"},
         Case{5, "", "d.yaml:4: bodies: expected at least one, got nothing"},
         Case{9, "    secondary: top\n    two_pass: true",
              "d.yaml:10: contact.pair.two_pass: self-contact of 'top' has points on both sides "

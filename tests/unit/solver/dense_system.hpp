@@ -49,6 +49,7 @@ public:
   }
   long graph_version() const override { return version_; }
   bool symmetric() const override { return is_symmetric; }
+  bool indefinite() const override { return is_indefinite; }
   double reference_force() const override { return reference; }
 
   void set_time(double t) override { time = t; }
@@ -71,7 +72,7 @@ public:
   }
 
   double reference = 1.0, time = 0.0;
-  bool is_symmetric = false, changing_graph = false;
+  bool is_symmetric = false, is_indefinite = false, changing_graph = false;
   int evaluations = 0, accepted = 0, rejected = 0;
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/solver/linear_solver.hpp"
 
+#include "dense_system.hpp"
 #include "elastic_block.hpp"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,22 @@ TEST(DirectSolver, FindsKnownSolutionSymmetricAndNot) {
       EXPECT_LT(outcome.error, 1e-11); // condition number about 1e3
       EXPECT_EQ(outcome.result.iterations, 1);
     }
+}
+
+TEST(DirectSolver, IsTakenWhereMultipliersAreUnknowns) {
+  using test::Values;
+  test::DenseSystem system(
+      2, [](const Values& x) { return x; },
+      [](const Values&) {
+        return Values{0.0, 2.0, 2.0, 0.0};
+      });
+  system.is_indefinite = true;
+  const auto linear = solver::make_linear_solver(krylov(Preconditioner::automatic), system);
+  const Vector b = system.vector({6.0, 4.0});
+  Vector x(system.map());
+  linear->setup(system.tangent(b), 0, false);
+  EXPECT_EQ(linear->solve(b, x, 1e-8).iterations, 1);
+  EXPECT_EQ(system.gather(x), (Values{2.0, 3.0}));
 }
 
 TEST(DirectSolver, UsesTheWholeOfAnUnsymmetricMatrix) {

@@ -61,6 +61,25 @@ TEST(Newton, ConvergesQuadratically) {
   EXPECT_EQ(solved.result.linear_iterations, solved.result.iterations);
 }
 
+// The point of the unit circle farthest along (1, -1/2), the force of the circle as third unknown:
+// the slope along the first step changes its sign, though the residual halves.
+TEST(Newton, TakesFullStepsThatHelpWhereMultipliersAreUnknowns) {
+  for (const bool indefinite : {false, true}) {
+    DenseSystem system(
+        3,
+        [](const Values& x) {
+          return Values{x[2] * x[0] - 1.0, x[2] * x[1] + 0.5,
+                        0.5 * (x[0] * x[0] + x[1] * x[1] - 1.0)};
+        },
+        [](const Values& x) { return Values{x[2], 0.0, x[0], 0.0, x[2], x[1], x[0], x[1], 0.0}; });
+    system.is_indefinite = indefinite;
+    const auto solved = solve(system, {2.0, 0.0, 0.5});
+    ASSERT_TRUE(solved.result.converged) << solved.result.reason;
+    EXPECT_NEAR(std::fabs(solved.x[0]), std::sqrt(0.8), 1e-7);
+    EXPECT_EQ(solved.reports[1].step_length == 1.0, indefinite);
+  }
+}
+
 TEST(Newton, ReportsEveryIterate) {
   auto system = two_unknowns();
   system.reference = 10.0;

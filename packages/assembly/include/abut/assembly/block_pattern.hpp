@@ -3,6 +3,7 @@
 
 #include "abut/assembly/dof_map.hpp"
 #include "abut/core/contribution.hpp"
+#include "abut/core/tensor.hpp"
 
 #include <Tpetra_CrsGraph_fwd.hpp>
 #include <cstdint>
@@ -50,6 +51,12 @@ public:
   const std::vector<Local>& body_rows() const { return body_row_; }
   /// First value of block (i, j) of an owned body's own rows, 0: translation, 1: rotation.
   std::int64_t body_block(int body, int i, int j) const;
+
+  /// Adds factor * m to the block of an owned global block row and any global column; for rows of
+  /// bodies and links, three fields.
+  void add(Global row, Global column, double factor, const Mat3& m, double* values) const;
+  /// Values of the diagonal of the owned scalar rows.
+  std::vector<double> diagonal(const double* values) const;
 
   /// Sends the shared part of values / residual to the owners and adds it there. Collective.
   void add_shared_values(double* values) const;

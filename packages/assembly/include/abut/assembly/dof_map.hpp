@@ -4,21 +4,29 @@
 #include "abut/core/trilinos_fwd.hpp"
 #include "abut/mesh/mesh.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace abut::assembly {
 
+/// Two rigid bodies whose unknowns act on each other.
+struct RigidLink {
+  std::array<int, 2> body{-1, -1}; ///< indices, -1: none
+  bool has_unknowns = false;       ///< of its own: two block rows
+};
+
 /// Which nodes move with rigid bodies.
 struct RigidNodes {
   std::vector<int> body;          ///< (N local nodes) index of the body, -1: none; empty: no bodies
   std::vector<char> has_unknowns; ///< (bodies)
+  std::vector<RigidLink> links;
 };
 
 /// Numbers the unknowns: every owned mesh node with unknowns is one block row of `fields` scalar
 /// rows. Block rows are contiguous per rank, in the order of the owned nodes. A rigid body with
 /// unknowns is two block rows behind the nodes of one rank, translation and rotation; its nodes
-/// have none.
+/// have none. Links with unknowns are two block rows behind the bodies.
 class DofMap {
 public:
   /// field_names: of the unknowns of a node, e.g. displacement_x, ..., in their order.
@@ -42,6 +50,11 @@ public:
   /// Global block row of a body's translation, on any rank; its rotation is the next. -1: none.
   Global row_of_body(int body) const { return row_of_body_[static_cast<std::size_t>(body)]; }
 
+  int num_links() const { return static_cast<int>(rigid_.links.size()); }
+  const RigidLink& link(int i) const { return rigid_.links[static_cast<std::size_t>(i)]; }
+  /// First of a link's two global block rows, on any rank. -1: none.
+  Global row_of_link(int i) const { return row_of_link_[static_cast<std::size_t>(i)]; }
+
   /// Map of the scalar unknowns: block row r holds r*fields .. r*fields + fields-1.
   RCP<const Map> map() const { return map_; }
 
@@ -57,7 +70,7 @@ private:
   std::vector<Global> first_row_; ///< (ranks+1)
   std::vector<Local> row_of_node_, node_of_row_;
   RigidNodes rigid_;
-  std::vector<Global> row_of_body_;
+  std::vector<Global> row_of_body_, row_of_link_;
   Local num_rows_ = 0;
   RCP<const Map> map_;
 };

@@ -3,11 +3,14 @@
 
 #include "abut/assembly/block_pattern.hpp"
 #include "abut/assembly/rigid_body.hpp"
+#include "abut/assembly/rigid_joint.hpp"
 #include "abut/core/contribution.hpp"
 #include "abut/core/timers.hpp"
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace abut::assembly {
@@ -37,6 +40,7 @@ struct TangentMismatch {
 };
 
 class RigidBodies;
+class RigidJoints;
 struct RowConstraint;
 
 /// The equations of all contributions: f(x) = sum of residuals = 0 for the unknowns that are not
@@ -54,6 +58,9 @@ public:
   void set_constraints(std::vector<Constraint> constraints);
   /// The bodies whose nodes the DofMap knows, in its order; before the first evaluation.
   void set_rigid_bodies(std::vector<RigidBody> bodies);
+  /// The links of the DofMap, in its order; after set_rigid_bodies. Throws InputError for an axis
+  /// without direction.
+  void set_rigid_joints(std::vector<RigidJoint> joints);
   /// Loads and prescribed values from now on are those of load parameter t; which unknowns are
   /// prescribed may change.
   void set_time(double t);
@@ -69,6 +76,10 @@ public:
   RCP<const Matrix> tangent(const Vector& x);
   long graph_version() const { return pattern_.version(); }
   bool symmetric() const;
+  /// Whether multipliers are among the unknowns: only a direct solver then takes the tangent.
+  bool indefinite() const;
+  /// Throws SolveError where the last residual is not that of a solution, however small it is.
+  void require_consistent() const;
 
   /// Norm of the forces in balance in the last residual (internal forces or what opposes them).
   double reference_force() const { return reference_force_; }
@@ -82,6 +93,9 @@ public:
   const std::vector<double>& raw_residual() const { return raw_residual_; }
   /// Motion of the rigid bodies and reactions on them, as of the last residual. Not collective.
   std::vector<RigidBodyState> rigid_body_states() const;
+  std::vector<RigidJointState> rigid_joint_states() const;
+  /// What joints need not hold, since others do: (joint, component) as words.
+  std::vector<std::pair<std::string, std::string>> implied_constraints() const;
   /// (owned rows, 3) reference coordinates; of a rigid body's rows those of its center. [length]
   std::vector<double> row_coordinates() const;
 
@@ -108,6 +122,7 @@ private:
   struct WorkState {
     std::vector<double> x, loads, raw; ///< (owned scalar rows)
     std::vector<RigidBodyState> bodies;
+    std::vector<RigidJointState> joints;
   };
   void prepare(const Vector& x);
   void update_pattern();
@@ -120,6 +135,8 @@ private:
   std::vector<double> residual_of(std::size_t part, const Vector& x);
   TangentMismatch compare(std::size_t part, const Vector& x, const Vector& d, double step);
   void assemble_tangent();
+  void scale_joints();
+  double add_joint_forces(std::vector<double>& buffer);
   RCP<const Vector> column_values(const Vector& owned) const;
   bool follow_windows();
   void mark_constrained();
@@ -132,14 +149,16 @@ private:
   BlockPattern pattern_;
   std::vector<Part> parts_;
   std::vector<RowConstraint> constraints_;
-  std::vector<RowConstraint> body_constraints_;
+  std::vector<RowConstraint> body_constraints_, joint_constraints_;
   std::vector<char> constrained_;        ///< (owned scalar rows)
   std::vector<char> constrained_column_; ///< (columns of the graph)
   std::unique_ptr<RigidBodies> rigid_;
+  std::unique_ptr<RigidJoints> joints_;
   double time_ = 0.0;
   bool predicting_ = false; ///< see NodalFields::prediction
   bool predicted_ = false;  ///< what is prepared is of the prediction
   bool prepared_ = false;
+  bool joints_scaled_ = true, scale_joints_ = false;
   bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
   std::vector<double> u_;          ///< (N, fields) of the last prepare
   std::vector<double> raw_values_; ///< owned and shared values, constraints not applied

@@ -26,13 +26,13 @@ struct RigidBody {
   using Function = std::function<double(double)>;
 
   std::string name;
-  Vec3 center = Vec3::zero();           ///< reference configuration [length]
-  std::array<Function, 6> prescribed{}; ///< empty: an unknown
-  std::vector<RigidHold> holds;         ///< of unknowns
-  Vec3 force = Vec3::zero();            ///< on the center [force]
-  Vec3 moment = Vec3::zero();           ///< about the center [force length]
-  Function load_factor;                 ///< of force and moment; empty: 1
-  bool follower = false;                ///< force and moment turn with the body
+  Vec3 center = Vec3::zero();            ///< reference configuration [length]
+  std::array<Function, 6> prescribed{};  ///< empty: an unknown
+  std::vector<RigidHold> holds;          ///< of unknowns
+  Vec3 force = Vec3::zero();             ///< on the center [force]
+  Vec3 moment = Vec3::zero();            ///< about the center [force length]
+  std::array<Function, 6> load_factor{}; ///< of components of force and moment; empty: 1
+  bool follower = false;                 ///< force and moment turn with the body
 
   bool has_unknowns() const {
     for (const Function& f : prescribed)

@@ -71,17 +71,27 @@ enum class Quantity {
   rigid_moment_x,
   rigid_moment_y,
   rigid_moment_z,
+  joint_force_x,
+  joint_force_y,
+  joint_force_z,
+  joint_moment_x,
+  joint_moment_y,
+  joint_moment_z,
+  joint_translation,
+  joint_rotation,
 };
 /// Whether `place` names a contact interface.
 bool is_contact_quantity(Quantity quantity);
 /// Whether `place` names a rigid body.
 bool is_rigid_quantity(Quantity quantity);
+/// Whether `place` names a joint.
+bool is_joint_quantity(Quantity quantity);
 
 /// One statement about the result by which a deck checks itself.
 struct VerifyOptions {
   std::string name;
   Quantity quantity = Quantity::force_x;
-  std::string place;                          ///< contact interface, rigid body, node set, side set
+  std::string place;                          ///< contact interface, rigid body, joint, set
   std::optional<std::array<double, 3>> point; ///< reference coordinates [length]
   double expected = 0.0;
   std::optional<double> tolerance;          ///< absolute
@@ -101,6 +111,7 @@ struct Deck {
   MeshOptions mesh;
   std::vector<solid::MaterialOptions> materials;
   std::vector<solid::BodyOptions> bodies;
+  std::vector<solid::JointOptions> joints;
   std::vector<solid::DisplacementOptions> displacements;
   std::vector<solid::LoadOptions> loads;
   std::vector<Curve> curves;

@@ -124,6 +124,24 @@ struct RigidLoad {
   bool follower = false; ///< turns with the body
 };
 
+/// A <rigid_connector>: body b against body a.
+struct RigidConnector {
+  enum class Kind { revolute, prismatic, cylindrical, spherical, lock, spring };
+  Kind kind = Kind::revolute;
+  std::string name;
+  std::array<std::string, 2> bodies; ///< materials' names
+  int line = 0;
+  int step = -1;
+  Vec3 origin = Vec3::zero(); ///< a spring's point on body a
+  Vec3 axis = Vec3::zero();   ///< a spring's point on body b
+  std::optional<Value> rotation, translation;
+  Value moment, force; ///< on body a about and along the axis, minus it on b
+  /// Of a spherical joint: rotation vector of b against a, moment on a, minus it on b.
+  std::optional<std::array<Value, 3>> rotation_vector;
+  std::array<Value, 3> moment_vector{};
+  double stiffness = 0.0, free_length = 0.0; ///< of a spring; free length 0: as it is
+};
+
 struct Load {
   enum class Kind { pressure, traction, nodal, body_force };
   Kind kind = Kind::pressure;
@@ -185,6 +203,7 @@ struct Model {
   std::vector<RigidTie> ties;
   std::vector<RigidCondition> rigid_conditions;
   std::vector<RigidLoad> rigid_loads;
+  std::vector<RigidConnector> connectors;
   std::vector<Load> loads;
   std::vector<Contact> contacts;
   std::map<int, LoadCurve> curves; ///< by id

@@ -19,9 +19,11 @@ public:
   RCP<const Matrix> tangent(const Vector& x) override { return equations_.tangent(x); }
   long graph_version() const override { return equations_.graph_version(); }
   bool symmetric() const override { return equations_.symmetric(); }
+  bool indefinite() const override { return equations_.indefinite(); }
   double reference_force() const override { return equations_.reference_force(); }
   double round_off_force() const override { return equations_.round_off_force(); }
   bool settled() const override { return equations_.settled(); }
+  void require_consistent() const override { equations_.require_consistent(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   const double* node_coordinates() const override { return coordinates_.data(); }
   void set_time(double t) override { equations_.set_time(t); }

@@ -24,6 +24,9 @@ public:
   virtual RCP<const Matrix> tangent(const Vector& x) = 0;
   virtual long graph_version() const = 0;
   virtual bool symmetric() const = 0;
+  /// Whether multipliers are among the unknowns. The tangent then has zeros on its diagonal, which
+  /// only a direct solver takes, and the slope of a line search may have any sign.
+  virtual bool indefinite() const { return false; }
 
   /// Size of the forces that balance in the last residual, reactions and external forces included:
   /// what a residual norm is compared with. [force]
@@ -33,6 +36,8 @@ public:
 
   /// Whether the last residual is of the true laws; a solve does not end before.
   virtual bool settled() const { return true; }
+  /// Asked when a solve has converged: throws SolveError where its end is no solution after all.
+  virtual void require_consistent() const {}
 
   /// For multigrid: unknowns come in rows of this many per node.
   virtual int unknowns_per_node() const { return 1; }
