@@ -86,8 +86,10 @@ void explain_supports(const Model& m, const Printer& print) {
                                                   : fmt::format("{:g}", d.values[i].number));
     print("  {}: {} nodes of '{}',{}", d.name, m.comm.sum(nodes), d.set, parts);
   }
-  const auto free = free_pieces(m);
-  if (free.empty())
+  const auto free = m.deck.dynamics.active ? std::vector<FreePiece>() : free_pieces(m);
+  if (m.deck.dynamics.active)
+    print("  bodies move by inertia: none has to be held");
+  else if (free.empty())
     print("  every body is held");
   for (const FreePiece& piece : free)
     for (const std::string& motion : piece.motions)
@@ -142,7 +144,8 @@ void check(const std::string& deck_file) {
   explain_contact(*m, print);
   for (const std::string& warning : m->warnings)
     print("WARNING: {}", warning);
-  require_supports(*m);
+  if (!m->deck.dynamics.active)
+    require_supports(*m);
   print("the deck is valid");
 }
 

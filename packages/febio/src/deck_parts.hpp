@@ -55,6 +55,8 @@ struct RigidBody {
   std::array<Course, 6> motion, load; ///< empty: none
   std::array<bool, 6> free{};
   Vec3 center = Vec3::zero();
+  double density = 0.0;                     ///< of its domains, where it moves by inertia
+  std::array<double, 3> velocity{}, spin{}; ///< at the start
 
   /// Whether all it does is to prescribe displacements of nodes; the deck then has no body for it.
   bool is_displacement() const {

@@ -159,12 +159,33 @@ struct LoadCurve {
 /// beyond. Jumps take 1e-9 of the time, parabolas sixteen pieces.
 std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double end);
 
+/// Velocity at the start, of nodes or of a rigid body.
+struct InitialVelocity {
+  std::string name, place, body; ///< a node set; or a material's name
+  int line = 0;
+  bool turns = false; ///< an angular velocity, of a body
+  std::array<double, 3> value{};
+};
+
+/// How FEBio goes on in time where bodies have inertia. See read_control.
+struct Inertia {
+  bool active = false;        ///< analysis DYNAMIC
+  double spectral_radius = 1; ///< of generalised alpha
+  double beta = 0.25, gamma = 0.5;
+
+  friend bool operator==(const Inertia& a, const Inertia& b) {
+    return a.active == b.active && a.spectral_radius == b.spectral_radius && a.beta == b.beta &&
+           a.gamma == b.gamma;
+  }
+};
+
 /// A part of the time, from the <Control> that stands outside of steps or from one step.
 struct Step {
   int line = 0;
   int count = 10;
   double size = 0.1;         ///< [time]
   int must_points_curve = 0; ///< id; its points must be hit
+  Inertia inertia;
 };
 
 /// What a number does in each step; one value when it is the same in all.
@@ -180,12 +201,15 @@ struct Model {
   std::vector<RigidLoad> rigid_loads;
   std::vector<Load> loads;
   std::vector<Contact> contacts;
+  std::vector<InitialVelocity> initial_velocities;
   std::map<int, LoadCurve> curves; ///< by id
   std::vector<Step> steps;         ///< one after the other
 
   /// Time at which a step begins; that after the last one is the end.
   double start(std::size_t step) const;
   double end() const { return start(steps.size()); }
+  /// Whether bodies have inertia: the same in all steps.
+  bool is_dynamic() const { return !steps.empty() && steps[0].inertia.active; }
   /// The course of a value that holds in this step alone and else is zero; -1: in all.
   Course course(const Value& value, int step) const;
   /// "FILE:LINE" to begin a message.
