@@ -334,6 +334,13 @@ template <class V> void describe(V& v, solver::DynamicsOptions& o) {
 template <class V> void describe(V& v, solver::NewtonOptions& o) {
   using solver::LineSearch;
   v.optional("tolerance", o.tolerance, "residual over reference force", positive("1"));
+  v.optional("displacement_tolerance", o.displacement_tolerance,
+             "a solve also ends when the last correction is at most this share of the step's "
+             "increment, and its energy within energy_tolerance; 0: it does not",
+             at_least(0.0, "1"));
+  v.optional("energy_tolerance", o.energy_tolerance,
+             "with displacement_tolerance: the work left over the largest of the step",
+             positive("1"));
   v.optional("max_iterations", o.max_iterations, "of one solve", at_least(1.0, "1"));
   v.choice("line_search", o.line_search,
            {{"automatic", LineSearch::automatic, "shorten a step that makes things worse"},

@@ -81,11 +81,30 @@ public:
     out += loads_part + curves_.text() + contact_part;
     out += "time: {end: " + number_text(model_.end()) +
            ", steps: " + std::to_string(step_count(model_, report_)) + "}\n";
-    out += dynamics();
+    out += dynamics() + newton();
     return out + "output: {name: " + quoted(name + "_results") + "}\n";
   }
 
 private:
+  /// FEBio's own tolerances, the tightest of all steps.
+  std::string newton() const {
+    const auto tightest = [&](double Step::*tolerance) {
+      double value = model_.steps.front().*tolerance;
+      for (const Step& step : model_.steps)
+        value = std::min(value, step.*tolerance);
+      return value;
+    };
+    const double correction = tightest(&Step::displacement_tolerance);
+    const double energy = tightest(&Step::energy_tolerance);
+    if (!(correction > 0.0) || !(energy > 0.0))
+      return "";
+    FlowMap map;
+    map.add("displacement_tolerance", correction);
+    if (energy != Step().energy_tolerance) // abut's default is FEBio's
+      map.add("energy_tolerance", energy);
+    return "newton: " + map.text() + "  # FEBio: dtol, etol\n";
+  }
+
   std::string dynamics() {
     for (const InitialVelocity& v : model_.initial_velocities)
       if (!model_.is_dynamic())

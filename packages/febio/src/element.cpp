@@ -249,6 +249,13 @@ void Element::ignore(std::initializer_list<const char*> names, const std::string
     ignore(name, why);
 }
 
+void Element::ignore_rest(const std::string& why) {
+  const auto asked = document_->mark(node_).children;
+  for (Element& e : children())
+    if (std::find(asked.begin(), asked.end(), e.name()) == asked.end())
+      e.set_ignored(why);
+}
+
 void Element::set_ignored(const std::string& why) {
   Document::Mark& mark = document_->mark(node_);
   mark.fate = Fate::ignored;

@@ -81,6 +81,8 @@ public:
   /// The child, if there is one, and all below it cannot change the answer.
   void ignore(const char* name, const std::string& why = "");
   void ignore(std::initializer_list<const char*> names, const std::string& why = "");
+  /// All children that nobody asked for.
+  void ignore_rest(const std::string& why);
   /// This element and all below it cannot change the answer.
   void set_ignored(const std::string& why);
   /// This element is not supported; all else goes on, so that the report is complete.

@@ -19,18 +19,9 @@ void read_time_stepper(Element stepper, Step& step) {
 
 /// The rule of a dynamic analysis: rhoi between 0 and 1 is generalised alpha, -1 the trapezoidal
 /// rule, all else Newmark's with beta and gamma (and alpha, of which abut has 1).
-void read_rule(Element control, Inertia& inertia) {
-  auto solver = control.child("solver");
-  if (!solver)
-    return;
-  solver->attribute("type");
-  const double rhoi = solver->number_or("rhoi", -2.0), alpha = solver->number_or("alpha", 1.0);
-  const double beta = solver->number_or("beta", 0.25), gamma = solver->number_or("gamma", 0.5);
-  for (Element parameter : solver->children()) {
-    const std::string name = parameter.name();
-    if (name != "rhoi" && name != "alpha" && name != "beta" && name != "gamma")
-      parameter.set_ignored("abut has its own Newton method and tolerances");
-  }
+void read_rule(Element solver, Inertia& inertia) {
+  const double rhoi = solver.number_or("rhoi", -2.0), alpha = solver.number_or("alpha", 1.0);
+  const double beta = solver.number_or("beta", 0.25), gamma = solver.number_or("gamma", 0.5);
   if (rhoi >= 0.0 && rhoi <= 1.0) {
     inertia.spectral_radius = rhoi;
     return;
@@ -38,12 +29,21 @@ void read_rule(Element control, Inertia& inertia) {
   if (rhoi == -1.0)
     return;
   if (alpha != 1.0)
-    solver->required_child("alpha").refuse(
+    solver.required_child("alpha").refuse(
         "abut has alpha 1; a rhoi between 0 and 1 gives generalised alpha");
   if (!(gamma >= 0.5 && gamma <= 1.0 && 2.0 * beta >= gamma))
-    solver->refuse("abut takes beta and gamma of stable rules, 2 beta >= gamma >= 0.5");
+    solver.refuse("abut takes beta and gamma of stable rules, 2 beta >= gamma >= 0.5");
   inertia.beta = beta;
   inertia.gamma = gamma;
+}
+
+void read_solver(Element solver, Step& step) {
+  solver.attribute("type");
+  step.displacement_tolerance = solver.number_or("dtol", step.displacement_tolerance);
+  step.energy_tolerance = solver.number_or("etol", step.energy_tolerance);
+  if (step.inertia.active)
+    read_rule(solver, step.inertia);
+  solver.ignore_rest("abut has its own Newton method");
 }
 
 } // namespace
@@ -69,10 +69,8 @@ void read_control(Element section, Model& model) {
     section.required_child("step_size").fail("expected a number > 0");
   if (auto stepper = section.child("time_stepper"))
     read_time_stepper(*stepper, step);
-  if (step.inertia.active)
-    read_rule(section, step.inertia);
-  else
-    section.ignore("solver", "abut has its own Newton method and tolerances");
+  if (auto solver = section.child("solver"))
+    read_solver(*solver, step);
   if (step.inertia.active && model.is_dynamic() && !(step.inertia == model.steps[0].inertia))
     section.refuse("another rule of time integration than in the first step: abut has one");
   section.ignore({"plot_zero_state", "plot_range", "plot_level", "output_level", "plot_stride",

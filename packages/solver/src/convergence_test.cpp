@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convergence_test.hpp"
 
+#include "abut/core/trilinos.hpp"
 #include "abut/solver/linear_solver.hpp"
 #include "abut/solver/nonlinear_system.hpp"
+#include "thyra_model.hpp"
 
 #include <NOX_Abstract_Group.H>
+#include <NOX_Abstract_Vector.H>
 #include <NOX_Solver_LineSearchBased.H>
+#include <NOX_Thyra_Vector.H>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -35,16 +39,17 @@ double relative_size(double residual, double reference) {
 
 ConvergenceTest::ConvergenceTest(const NonlinearSystem& system, const LinearSolver& linear,
                                  const NewtonOptions& options, const EarlyEnd& early,
-                                 IterationCallback observer)
-    : system_(system), linear_(linear), options_(options), early_(early),
-      observer_(std::move(observer)), linear_at_start_(linear.total_iterations()),
-      linear_before_(linear_at_start_) {}
+                                 const IncrementScale& scale, IterationCallback observer)
+    : system_(system), linear_(linear), options_(options), early_(early), start_(scale.start),
+      observer_(std::move(observer)), largest_work_(scale.work),
+      linear_at_start_(linear.total_iterations()), linear_before_(linear_at_start_) {}
 
 NOX::StatusTest::StatusType ConvergenceTest::checkStatus(const NOX::Solver::Generic& solver,
                                                          NOX::StatusTest::CheckType) {
   if (static_cast<int>(residuals_.size()) == solver.getNumIterations() + 1)
     return status_;
   record(solver);
+  measure_correction(solver);
   return status_ = judge();
 }
 
@@ -67,6 +72,29 @@ void ConvergenceTest::record(const NOX::Solver::Generic& solver) {
     observer_(report);
 }
 
+void ConvergenceTest::measure_correction(const NOX::Solver::Generic& solver) {
+  if (options_.displacement_tolerance <= 0.0 || residuals_.size() < 2)
+    return;
+  const auto values = [](const NOX::Abstract::Vector& v) {
+    return tpetra_vector(dynamic_cast<const NOX::Thyra::Vector&>(v).getThyraRCPVector());
+  };
+  const auto &old = solver.getPreviousSolutionGroup(), &now = solver.getSolutionGroup();
+  const auto x = values(now.getX());
+  Vector difference(*x, Teuchos::Copy);
+  difference.update(-1.0, start_, 1.0);
+  increment_ = difference.norm2();
+  difference.update(1.0, *x, -1.0, *values(old.getX()), 0.0);
+  correction_ = difference.norm2();
+  largest_work_ = std::max(largest_work_, std::abs(difference.dot(*values(old.getF()))));
+  work_left_ = std::abs(difference.dot(*values(now.getF())));
+}
+
+bool ConvergenceTest::small_correction() const {
+  return options_.displacement_tolerance > 0.0 && residuals_.size() > 1 &&
+         correction_ <= options_.displacement_tolerance * increment_ &&
+         work_left_ <= options_.energy_tolerance * largest_work_;
+}
+
 NOX::StatusTest::StatusType ConvergenceTest::judge() {
   const double residual = residuals_.back();
   if (!std::isfinite(residual)) {
@@ -75,7 +103,8 @@ NOX::StatusTest::StatusType ConvergenceTest::judge() {
   }
   const double early =
       std::min(early_.tolerance * reference_, early_.reduction * residuals_.front());
-  if (residual <= std::max(options_.tolerance * reference_, early) && system_.settled())
+  const bool small = residual <= std::max(options_.tolerance * reference_, early);
+  if ((small || small_correction()) && system_.settled())
     return NOX::StatusTest::Converged;
   if (diverges()) {
     reason_ = "Newton diverges: the residual grew from " + scientific(residuals_.front()) + " to " +

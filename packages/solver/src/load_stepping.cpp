@@ -118,6 +118,7 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
   };
   try {
     system.set_time(t);
+    loop_.newton().begin_step(x);
     predict(system, x);
     tried.result = loop_.solve(system, x, counting_observer);
     if (!tried.result.converged)

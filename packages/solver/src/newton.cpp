@@ -67,6 +67,11 @@ NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options, double l
   nox_parameters(options_, linear_tolerance_);
 }
 
+void NewtonSolver::begin_step(const Vector& x) {
+  step_start_ = rcp(new Vector(x, Teuchos::Copy));
+  largest_work_ = 0.0;
+}
+
 NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
                                  const IterationCallback& observer, const EarlyEnd& early) {
   const auto model = make_thyra_model(system);
@@ -76,7 +81,11 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(start), model, model->create_W_op(),
                                 make_solve_factory(linear_), no_preconditioner, no_factory));
-  const auto test = rcp(new ConvergenceTest(system, linear_, options_, early, observer));
+  RCP<const Vector> origin = step_start_;
+  if (origin.is_null())
+    origin = rcp(new Vector(x, Teuchos::Copy));
+  const IncrementScale scale{*origin, largest_work_};
+  const auto test = rcp(new ConvergenceTest(system, linear_, options_, early, scale, observer));
   const auto solver = build_solver(group, test, nox_parameters(options_, linear_tolerance_));
   try {
     solver->solve();
@@ -85,6 +94,8 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
   }
   const auto& last = dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getX());
   Tpetra::deep_copy(x, *tpetra_vector(last.getThyraRCPVector()));
+  if (!step_start_.is_null())
+    largest_work_ = test->largest_work();
   return test->result();
 }
 

@@ -31,6 +31,7 @@ contact:
     penalty: 5
     reach: 1  # FEBio: search_radius 1
 time: {end: 2, steps: 4}
+newton: {displacement_tolerance: 0.001}  # FEBio: dtol, etol
 output: {name: m_results}
 )");
 }
@@ -66,7 +67,6 @@ TEST(Import, EveryConstructIsReported) {
   for (const char* line :
        {"used  line 5  Material/material 'soft one'\n", "used  line 5  Material/material/E\n",
         "used  line 40  Contact/contact/penalty\n",
-        "ignored  line 3  Control/solver: abut has its own Newton method and tolerances\n",
         "ignored  line 3  Globals: ", "1 nodes that belong to no element"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;
   EXPECT_EQ(text.find("/elem"), std::string::npos) << text; // counts with what holds it
@@ -354,6 +354,18 @@ TEST(Import, StepsMeetTheMustPoints) {
   };
   EXPECT_EQ(time("<pt>0,0.1</pt><pt>1.5,0.1</pt><pt>3,0.1</pt>"), "time: {end: 2, steps: 4}\n");
   EXPECT_EQ(time("<pt>0,0.1</pt><pt>1.1,0.1</pt>"), "time: {end: 2, steps: 20}\n");
+}
+
+TEST(Import, TolerancesOfNewtonAreFebios) {
+  const auto newton = [](const std::string& solver) {
+    const Scene scene = scene_with({{3, "<Control><time_steps>4</time_steps><step_size>0.5"
+                                        "</step_size><solver type=\"solid\">" +
+                                            solver + "</solver></Control>"}});
+    return section(scene.deck, "newton");
+  };
+  EXPECT_EQ(newton("<dtol>0.1</dtol><etol>0.02</etol><lstol>1</lstol>"),
+            "newton: {displacement_tolerance: 0.1, energy_tolerance: 0.02}  # FEBio: dtol, etol\n");
+  EXPECT_EQ(newton("<dtol>0</dtol>"), ""); // FEBio's own sign for off: abut's residual decides
 }
 
 TEST(Import, SectionsMayStandInAStep) {

@@ -84,6 +84,36 @@ TEST(Newton, StopsAtTheToleranceTimesTheReference) {
   EXPECT_EQ(a.result.reference, 1e6);
 }
 
+// The correction that ends the solve is within its share of the increment since the start of the
+// step, the one before it was not.
+TEST(Newton, EndsAtASmallCorrection) {
+  auto system = two_unknowns();
+  const auto linear = solver::make_linear_solver({}, system);
+  const auto iterates = [&](double tolerance, double energy, bool from_step) {
+    NewtonOptions options;
+    options.tolerance = 1e-13;
+    options.displacement_tolerance = tolerance;
+    options.energy_tolerance = energy;
+    solver::NewtonSolver newton(*linear, options);
+    if (from_step)
+      newton.begin_step(system.vector({-997.0, 3.0}));
+    Vector x = system.vector({2.0, 3.0});
+    const auto result = newton.solve(system, x);
+    EXPECT_TRUE(result.converged);
+    return std::pair(result, system.gather(x));
+  };
+  const auto [full, root] = iterates(0.0, 1e-2, false);
+  const auto [loose, x] = iterates(1e-2, 1e-2, false);
+  EXPECT_LT(loose.iterations, full.iterations);
+  EXPECT_GT(loose.residual, full.residual);
+  EXPECT_NEAR(x[0], root[0], 1e-5);
+  EXPECT_NEAR(x[1], root[1], 1e-5);
+  // A longer way from the start of the step allows a longer correction, but not if its work counts.
+  EXPECT_LT(iterates(1e-2, 1.0, true).first.iterations, loose.iterations);
+  EXPECT_GT(iterates(1e-2, 1e-8, true).first.iterations,
+            iterates(1e-2, 1.0, true).first.iterations);
+}
+
 TEST(Newton, TakesNoIterationAtTheSolution) {
   auto system = two_unknowns();
   system.reference = 0.0; // nothing to compare with: zero is converged all the same

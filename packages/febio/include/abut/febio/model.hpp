@@ -183,8 +183,9 @@ struct Inertia {
 struct Step {
   int line = 0;
   int count = 10;
-  double size = 0.1;         ///< [time]
-  int must_points_curve = 0; ///< id; its points must be hit
+  double size = 0.1;                                             ///< [time]
+  int must_points_curve = 0;                                     ///< id; its points must be hit
+  double displacement_tolerance = 1e-3, energy_tolerance = 1e-2; ///< dtol, etol [1]
   Inertia inertia;
 };
 

@@ -41,8 +41,8 @@ struct EarlyEnd {
   double reduction = 1.0; ///< [1]
 };
 
-/// Newton's method (NOX) with a line search. Converged: |f|_2 <= tolerance * reference force, or f
-/// exactly zero.
+/// Newton's method (NOX) with a line search. Converged: |f|_2 <= tolerance * reference force, f
+/// exactly zero, or a correction within NewtonOptions::displacement_tolerance.
 class NewtonSolver {
 public:
   /// `linear` must outlive the solver. `linear_tolerance`: relative residual asked of each linear
@@ -56,6 +56,10 @@ public:
   NewtonResult solve(NonlinearSystem& system, Vector& x, const IterationCallback& observer = {},
                      const EarlyEnd& early = {});
 
+  /// From here on corrections are measured against the increment from x, the state at the start of
+  /// a step. Without it, against the increment from the start of each solve.
+  void begin_step(const Vector& x);
+
   LinearSolver& linear() { return linear_; }
   const NewtonOptions& options() const { return options_; }
   double linear_tolerance() const { return linear_tolerance_; }
@@ -64,6 +68,8 @@ private:
   LinearSolver& linear_;
   NewtonOptions options_;
   double linear_tolerance_;
+  RCP<const Vector> step_start_; ///< null: none is known
+  double largest_work_ = 0.0;    ///< |dx . f| of the step's corrections so far [energy]
 };
 
 } // namespace abut::solver
