@@ -93,6 +93,26 @@ std::vector<double> velocities_of_bodies(const Model& m) {
   return v;
 }
 
+/// What moves the nodes of each rigid body along x, y and z. Those of a body that does not turn
+/// move as its center does.
+std::vector<std::array<solid::Lead, 3>> leads_of_bodies(const Model& m) {
+  std::vector<std::array<solid::Lead, 3>> result;
+  for (const solid::BodyOptions& body : m.deck.bodies) {
+    if (!body.rigid)
+      continue;
+    const solid::RigidMotion& motion = body.motion;
+    bool turns = false;
+    for (std::size_t i = 0; i < 3; ++i)
+      turns = turns || motion.free[3 + i] || motion.rotation[i] != 0.0;
+    std::array<solid::Lead, 3>& lead = result.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i)
+      lead[i] = turns && motion.has_unknowns() ? solid::Lead::rigid
+                : !turns && motion.free[i]     ? solid::Lead::free
+                                               : solid::Lead::prescribed;
+  }
+  return result;
+}
+
 struct NodalRates {
   std::vector<double> velocity, acceleration; ///< (N,3)
 };
@@ -128,16 +148,21 @@ std::shared_ptr<solid::InertiaContribution> make_inertia(const Model& m) {
   for (const assembly::Constraint& c : m.constraints)
     led[3 * std::size_t(c.node) + std::size_t(c.field)] = 1.0;
   mesh::GhostExchange(mesh).update(led.data(), 3);
-  for (std::size_t i = 0; i < led.size(); ++i)
-    if (m.rigid_body_of_node[i / 3] >= 0)
-      led[i] = 1.0;
+  const auto of_bodies = leads_of_bodies(m);
+  std::vector<solid::Lead> lead;
+  for (std::size_t i = 0; i < led.size(); ++i) {
+    const int body = m.rigid_body_of_node[i / 3];
+    lead.push_back(body >= 0      ? of_bodies[std::size_t(body)][i % 3]
+                   : led[i] > 0.0 ? solid::Lead::prescribed
+                                  : solid::Lead::free);
+  }
   std::vector<solid::BlockDensity> blocks;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     if (m.material[b])
       blocks.push_back(
           {static_cast<int>(b), density_of(m, m.deck.bodies[std::size_t(m.body_of_block[b])])});
   return std::make_shared<solid::InertiaContribution>(mesh, blocks, m.deck.dynamics.rule(),
-                                                      std::vector<char>(led.begin(), led.end()));
+                                                      std::move(lead));
 }
 
 void set_inertia(const Model& m, const solid::BodyOptions& options, assembly::RigidBody& body) {

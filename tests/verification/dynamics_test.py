@@ -203,6 +203,32 @@ class FreeBody(unittest.TestCase):
         self.assertGreater(errors[1], 1e-6)
         self.assertAlmostEqual(math.log2(errors[0] / errors[1]), 2, delta=0.1)
 
+    def test_capped(self):
+        """A brick with a rigid cap: of one that does not turn, momentum and energy are kept; of one that turns, whose
+        nodes follow another rule than the brick's, to second order."""
+        drift = {}
+        for free, steps in ((["x", "y", "z"], 40), (["x", "y", "z", "rx", "ry", "rz"], 40),
+                            (["x", "y", "z", "rx", "ry", "rz"], 80)):
+            deck = scenes.merged(self.deck(steps, [0, 0, 0]), {
+                "materials": {"rubber": LINEAR}, "time": {"end": 1},
+                "bodies": {"cap": {"node_sets": ["x1"], "initial_velocity": [0.3, -0.2, 0.55],
+                                   "rigid": {"free": free, "center": [1, 0.3, 0.2], "mass": 0.1,
+                                             "moments_of_inertia": [0.01, 0.012, 0.014]}}}})
+            fields = scenes.run(deck).fields
+            momentum = numpy.array([global_course(fields, f"momentum_{i}") for i in "xyz"]).T
+            drift[len(free), steps] = numpy.abs(momentum - momentum[0]).max() / numpy.linalg.norm(momentum[0])
+            energy = global_course(fields, "energy_stored")
+            kinetic = global_course(fields, "kinetic_energy")
+            self.assertGreater(energy.max(), 1e-5)
+            if len(free) == 3:
+                self.assertLess(numpy.abs(energy + kinetic - kinetic[0]).max(), 1e-9 * kinetic[0])
+            else:
+                self.assertGreater(abs(fields.globals()["cap_rotation_y"]), 1e-3)
+        print("momentum with a cap " + "  ".join(f"{k}: {v:.1e}" for k, v in drift.items()), flush=True)
+        self.assertLess(drift[3, 40], 1e-10)
+        self.assertLess(drift[6, 40], 1e-2)
+        self.assertLess(drift[6, 80], 0.4 * drift[6, 40])
+
     def test_pendulum(self):
         """A rigid body about a fixed axis that is not its center of mass, with its weight: the energy is kept and the
         period of small swings that of the physical pendulum."""
@@ -322,6 +348,37 @@ class Impact(unittest.TestCase):
         self.assertLess(gain[0.8], 0.3 * gain[1.0])
         self.assertLess(gain[0.5], 0)
         self.assertGreater(gain[0.5], -0.02)
+
+
+class Peer(unittest.TestCase):
+    def test_block_on_membrane(self):
+        """A rigid block falls on a clamped plate and bounces: the scene of FEBio's case co30, whose own reference is the
+        root of the sum of squared displacements at the end, of free nodes and the block, 4.7322272. It is of
+        iterations that stop at corrections of 1e-3."""
+        deck = {
+            "mesh": {"generate": {"kind": "blocks", "lower_size": [5, 5, 0.1], "lower_divisions": [25, 25, 1],
+                                  "upper_size": [1, 1, 1], "upper_divisions": [10, 10, 10], "gap": 1.27392}},
+            "materials": {"soft": {"young": 500, "poisson": 0.4, "density": 1}},
+            "bodies": {"plate": {"blocks": ["lower"], "material": "soft"},
+                       "block": {"blocks": ["upper"],
+                                 "rigid": {"free": ["z"], "density": 1, "center": [2.5, 2.5, 1.77392]}}},
+            "displacements": {side: {"set": f"lower_{side}", "fix": ["x", "y", "z"]} for side in ("x0", "x1", "y0", "y1")},
+            "loads": {block: {"body_force": [0, 0, -1], "block": block, "curve": "always"} for block in ("lower", "upper")},
+            "curves": {"always": [[0, 1], [1, 1]]},
+            # The peer adds the forces of two passes up.
+            "contact": {"land": {"primary": "upper_bottom", "secondary": "lower_top", "formulation": "facet_on_facet",
+                                 "penalty": 200, "two_pass": True}},
+            "dynamics": {}, "time": {"end": 5, "steps": 50},
+        }
+        result = scenes.run(deck, seconds=300)
+        fields = result.fields
+        force = [fields.globals(k)["land_force_z"] for k in range(51)]
+        self.assertGreater(max(map(abs, force)), 1)
+        self.assertEqual(force[-1], 0)  # it has left again
+        plate = numpy.unique(fields.connectivity("lower"))
+        norm = math.sqrt((fields.vector("displacement")[plate]**2).sum() + fields.globals()["block_displacement_z"]**2)
+        print(f"norm {norm:.5f}  iterations {result.summary['newton_iterations']}", flush=True)
+        self.assertAlmostEqual(norm / 4.7322272, 1, delta=2e-3)
 
 
 class Ranks(unittest.TestCase):

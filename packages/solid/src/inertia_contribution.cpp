@@ -18,10 +18,11 @@ using Host = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::Inde
 
 InertiaContribution::InertiaContribution(const mesh::Mesh& mesh,
                                          const std::vector<BlockDensity>& blocks,
-                                         const TimeIntegration& rule, std::vector<char> led)
-    : mesh_(mesh), motion_(rule, std::move(led)) {
+                                         const TimeIntegration& rule, std::vector<Lead> lead)
+    : mesh_(mesh), motion_(rule, lead) {
   ABUT_REQUIRE(mesh.dim == 3, "solids are three-dimensional");
   ABUT_REQUIRE(motion_.size() == 3 * static_cast<std::size_t>(mesh.num_local()), "three a node");
+  symmetric_ = !mesh.comm.any(std::count(lead.begin(), lead.end(), Lead::rigid) > 0);
   first_entry_.push_back(0);
   for (const BlockDensity& part : blocks) {
     const mesh::Block& block = mesh.blocks[static_cast<std::size_t>(part.block)];

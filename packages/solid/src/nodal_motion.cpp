@@ -5,9 +5,9 @@
 
 namespace abut::solid {
 
-NodalMotion::NodalMotion(const TimeIntegration& rule, std::vector<char> led)
-    : rule_(rule), led_(std::move(led)) {
-  start(0.0, std::vector<double>(led_.size(), 0.0), std::vector<double>(led_.size(), 0.0));
+NodalMotion::NodalMotion(const TimeIntegration& rule, std::vector<Lead> lead)
+    : rule_(rule), lead_(std::move(lead)) {
+  start(0.0, std::vector<double>(size(), 0.0), std::vector<double>(size(), 0.0));
 }
 
 void NodalMotion::start(double t, std::vector<double> u, std::vector<double> velocity) {
@@ -43,7 +43,7 @@ void NodalMotion::move(double t, const double* u) {
   const double led_rate = backward_slope_slope(dt, before);
   led_slope_ = led_rate * led_rate;
   for (std::size_t i = 0; i < size(); ++i) {
-    if (!led_[i]) {
+    if (lead_[i] == Lead::free) {
       const Rates r = rule_.newmark(dt, u[i] - u_[i], {velocity_[i], acceleration_[i]});
       trial_velocity_[i] = r.velocity;
       trial_acceleration_[i] = r.acceleration;

@@ -139,9 +139,9 @@ Vector turned_twice(Scene& scene) {
 /// Gives the bodies mass and lets everything move from the first turn on.
 std::shared_ptr<solid::InertiaContribution> set_in_motion(Scene& scene, double radius) {
   const auto rule = TimeIntegration::with_spectral_radius(radius);
-  std::vector<char> led;
+  std::vector<solid::Lead> lead;
   for (const int b : scene.body_of_node)
-    led.insert(led.end(), 3, b >= 0);
+    lead.insert(lead.end(), 3, b >= 0 ? solid::Lead::rigid : solid::Lead::free);
   for (std::size_t b = 0; b < bodies; ++b) {
     RigidBody& body = scene.body[b];
     body.mass.mass = 1.5;
@@ -155,13 +155,14 @@ std::shared_ptr<solid::InertiaContribution> set_in_motion(Scene& scene, double r
   }
   scene.system->set_rigid_bodies(scene.body);
   const auto inertia = std::make_shared<solid::InertiaContribution>(
-      scene.mesh, std::vector<solid::BlockDensity>{{0, 1.7}}, rule, led);
+      scene.mesh, std::vector<solid::BlockDensity>{{0, 1.7}}, rule, lead);
   scene.system->add(inertia);
   const Vec3 once[bodies] = {first_turn, first_turn, first_turn};
   const Vector x = scene.unknowns(assembly::rotation(first_turn), shift, 0.0, once);
   Vector f(x.getMap());
   scene.system->set_time(0.0);
-  inertia->motion().start(0.0, scene.system->nodal_values(x), std::vector<double>(led.size(), 0.2));
+  inertia->motion().start(0.0, scene.system->nodal_values(x),
+                          std::vector<double>(lead.size(), 0.2));
   scene.system->start_motion(rule, x, f);
   scene.system->accelerate(x, f); // some accelerations
   return inertia;
@@ -234,7 +235,7 @@ TEST(RigidBody, MassAndRejectedSteps) {
   const std::vector<double> nodal = scene.system->nodal_rates(uniform);
   double expected = 0.0;
   solid::InertiaContribution alone(scene.mesh, {{0, 1.7}}, TimeIntegration(),
-                                   std::vector<char>(nodal.size(), 0));
+                                   std::vector<solid::Lead>(nodal.size(), solid::Lead::free));
   alone.motion().start(0.0, std::vector<double>(nodal.size(), 0.0), nodal);
   const std::vector<double> still(nodal.size(), 0.0);
   expected = scene.mesh.comm.sum(2.0 * alone.momentum({still.data(), 3, 0.0}).kinetic_energy);

@@ -190,7 +190,7 @@ TEST(TimeIntegration, OrderTwoAndEnergy) {
 // Led numbers: what is quadratic in time is differentiated exactly, whatever the steps. A state
 // that is not accepted leaves nothing.
 TEST(NodalMotion, LedNumbers) {
-  solid::NodalMotion motion(TimeIntegration(), {1, 0});
+  solid::NodalMotion motion(TimeIntegration(), {solid::Lead::prescribed, solid::Lead::free});
   const auto u = [](double t) { return 1.0 + 2.0 * t - 1.5 * t * t; };
   motion.start(0.0, {1.0, 0.0}, {2.0, 0.0});
   motion.set_acceleration({-3.0, 0.0});
@@ -211,7 +211,7 @@ TEST(NodalMotion, LedNumbers) {
 
 // After a kink the rates of a led number come to rest.
 TEST(NodalMotion, KinkDiesOut) {
-  solid::NodalMotion motion(TimeIntegration(), {1});
+  solid::NodalMotion motion(TimeIntegration(), {solid::Lead::rigid});
   double t = 0.0, at_once = 0.0;
   for (int i = 0; i < 20; ++i) {
     t += 0.1;
@@ -227,7 +227,8 @@ TEST(NodalMotion, KinkDiesOut) {
 
 TEST(NodalMotion, SlopeIsTheDerivative) {
   for (const double radius : {0.4, 1.0}) {
-    solid::NodalMotion motion(TimeIntegration::with_spectral_radius(radius), {0, 1});
+    solid::NodalMotion motion(TimeIntegration::with_spectral_radius(radius),
+                              {solid::Lead::free, solid::Lead::prescribed});
     motion.start(0.0, {0.0, 0.0}, {1.0, -1.0});
     const double first[2] = {0.2, -0.1};
     motion.move(0.3, first);

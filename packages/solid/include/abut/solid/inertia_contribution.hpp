@@ -24,14 +24,14 @@ struct Momentum {
 /// the motion of the nodes; t is the time.
 class InertiaContribution : public Contribution {
 public:
-  /// The mesh must outlive this object. led: (3 N local nodes) directions in which a node is
-  /// prescribed or moves with a rigid body.
+  /// The mesh must outlive this object. lead: (3 N local nodes) what moves each node. Collective.
   InertiaContribution(const mesh::Mesh& mesh, const std::vector<BlockDensity>& blocks,
-                      const TimeIntegration& rule, std::vector<char> led);
+                      const TimeIntegration& rule, std::vector<Lead> lead);
 
   const char* name() const override { return "inertia"; }
   const Connectivity& connectivity() const override { return connectivity_; }
   bool inertial() const override { return true; }
+  bool symmetric() const override { return symmetric_; }
 
   void prepare(const NodalFields& fields) override;
   void residual(const NodalFields& fields, const ResidualScatter& scatter) override;
@@ -51,6 +51,8 @@ private:
   std::vector<std::size_t> first_entry_; ///< (cells+1) into mass_
   std::vector<double> mass_;             ///< packed, see mass_index
   NodalMotion motion_;
+  bool symmetric_ =
+      true; ///< unless nodes of turning bodies have another rule than their neighbours
 };
 
 } // namespace abut::solid

@@ -7,14 +7,20 @@
 
 namespace abut::solid {
 
+/// What moves a number.
+enum class Lead : char {
+  free,       ///< its own equation
+  prescribed, ///< a function of time
+  rigid,      ///< the unknowns of a rigid body that turns
+};
+
 /// Velocity and acceleration of numbers (nodes times directions) whose displacements are known.
-/// Free numbers move by Newmark's rule; led ones, which are prescribed or belong to rigid bodies,
-/// by backward differences.
+/// Free numbers move by Newmark's rule, the others by backward differences.
 class NodalMotion {
 public:
-  NodalMotion(const TimeIntegration& rule, std::vector<char> led);
+  NodalMotion(const TimeIntegration& rule, std::vector<Lead> lead);
 
-  std::size_t size() const { return led_.size(); }
+  std::size_t size() const { return lead_.size(); }
   const TimeIntegration& rule() const { return rule_; }
 
   /// Displacements and velocities at t; accelerations zero.
@@ -31,11 +37,13 @@ public:
   const std::vector<double>& acceleration() const { return trial_acceleration_; }
   /// Derivative of the acceleration by the displacement in the trial state; 1 where no time has
   /// gone by.
-  double slope(std::size_t number) const { return led_[number] ? led_slope_ : free_slope_; }
+  double slope(std::size_t number) const {
+    return lead_[number] == Lead::free ? free_slope_ : led_slope_;
+  }
 
 private:
   TimeIntegration rule_;
-  std::vector<char> led_;
+  std::vector<Lead> lead_;
   double time_ = 0.0, trial_time_ = 0.0;
   double before_ = 0.0; ///< length of the last step; 0: there was none
   double free_slope_ = 1.0, led_slope_ = 1.0;
