@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.hpp"
 
+#include "dynamics.hpp"
 #include "model.hpp"
 #include "supports.hpp"
 
@@ -65,6 +66,8 @@ void explain_bodies(const Model& m, const Printer& print) {
       kinds += fmt::format(" {} {}", count, name);
     print("  {}: {} elements ({} ), {}", body.name, elements, kinds,
           body.rigid ? explain_rigid(m, i) : "material " + body.material);
+    if (m.inertia)
+      print("    mass {:.6g}", body.motion.mass.value_or(body_mass(m, i).mass));
   }
   for (const auto& material : m.deck.materials)
     print("material {}: {}, Young {:g}, Poisson {:g}", material.name,

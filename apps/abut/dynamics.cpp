@@ -7,6 +7,7 @@
 #include "abut/solver/linear_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace abut::app {
@@ -22,10 +23,12 @@ Vec3 position(const mesh::Mesh& mesh, Local n) {
   return {{x[0], x[1], x[2]}};
 }
 
-/// Velocity with which a prescribed value starts.
+/// Velocity with which a prescribed value starts. Where it jumps at once, that of a first step.
 double initial_slope(const Model& m, const std::function<double(double)>& value) {
-  const double h = 1e-6 * m.deck.time.end / m.deck.time.steps;
-  return (value(h) - value(0.0)) / h;
+  const double step = m.deck.time.end / m.deck.time.steps, instant = 1e-3 * step;
+  const double mean = (value(step) - value(0.0)) / step;
+  const double now = (value(instant) - value(0.0)) / instant;
+  return mean * now <= 0.0 ? 0.0 : std::fabs(now) < std::fabs(mean) ? now : mean;
 }
 
 std::vector<int> blocks_of(const Model& m, std::size_t body) {
@@ -80,7 +83,7 @@ std::vector<double> velocities_of_bodies(const Model& m) {
     const solid::BodyOptions& body = m.deck.bodies[i];
     if (body.rigid)
       continue;
-    const Vec3 center = solid::mass_properties(mesh, blocks_of(m, i), density_of(m, body)).center;
+    const Vec3 center = body_mass(m, i).center;
     for (Local n = 0; n < mesh.num_owned; ++n) {
       if (body_of_node[std::size_t(n)] != static_cast<int>(i))
         continue;
@@ -165,14 +168,20 @@ std::shared_ptr<solid::InertiaContribution> make_inertia(const Model& m) {
                                                       std::move(lead));
 }
 
+solid::MassProperties body_mass(const Model& m, std::size_t body) {
+  const solid::BodyOptions& options = m.deck.bodies[body];
+  const double density =
+      options.rigid ? options.motion.density.value_or(0.0) : density_of(m, options);
+  return solid::mass_properties(*m.mesh, blocks_of(m, body), density);
+}
+
 void set_inertia(const Model& m, const solid::BodyOptions& options, assembly::RigidBody& body) {
   if (!m.deck.dynamics.active)
     return;
   const solid::RigidMotion& motion = options.motion;
   if (motion.density) {
-    const auto index = static_cast<std::size_t>(&options - m.deck.bodies.data());
     const solid::MassProperties p =
-        solid::mass_properties(*m.mesh, blocks_of(m, index), *motion.density);
+        body_mass(m, static_cast<std::size_t>(&options - m.deck.bodies.data()));
     body.mass = {p.mass, p.center - body.center, p.inertia};
   } else if (motion.mass) {
     body.mass.mass = *motion.mass;

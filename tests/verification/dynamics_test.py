@@ -273,12 +273,32 @@ class Led(unittest.TestCase):
             "curves": {"ramp": [[0, 0], [1, 1], [4, 1]]}})
         fields = scenes.run(deck).fields
         foot, top = fields.node_set("z0")[0], fields.node_set("z1")[0]
-        self.assertAlmostEqual(fields.nodal("velocity_z", 9)[foot], 0.01, delta=1e-12)
+        for k in range(10):
+            self.assertAlmostEqual(fields.nodal("velocity_z", k)[foot], 0.01, delta=1e-12)
+            self.assertAlmostEqual(fields.nodal("acceleration_z", k)[foot], 0, delta=1e-10)
         self.assertLess(abs(fields.nodal("acceleration_z", 40)[foot]), 1e-10)
         late = [fields.nodal("acceleration_z", k)[top] for k in range(12, 41)]
         u = [fields.nodal("displacement_z", k)[top] - 0.01 for k in range(12, 41)]
         for a, d in zip(late[8:], u[8:]):  # the bar vibrates freely then
             self.assertAlmostEqual(a, -12 * d, delta=1e-7)
+
+
+    def test_starts(self):
+        """A foot that starts smoothly or with a jolt, and what its velocity is taken for."""
+        for motion, curve, velocity in (("0.01*sin(t)", None, 0.01), ("0.01*t^2", None, 0), (0.01, "jump", 0.1)):
+            change = {"set": "z0", "fix": None, "z": motion}
+            if curve:
+                change["curve"] = curve
+            deck = scenes.merged(Vibration().deck(1.0, 40, 4.0), {
+                "bodies": {"bar": {"initial_velocity": [0, 0, 0]}}, "displacements": {"foot": change},
+                "curves": {"jump": [[0, 0], [1e-9, 1], [4, 1]]}})
+            fields = scenes.run(deck).fields
+            foot = fields.node_set("z0")[0]
+            self.assertAlmostEqual(fields.nodal("velocity_z", 0)[foot], velocity, delta=2e-5)
+            u, t = fields.nodal("displacement_z", 40)[foot], fields.times[-1]
+            self.assertAlmostEqual(u, {0.01: 0.01 * math.sin(t), 0: 0.01 * t**2, 0.1: 0.01}[velocity], delta=1e-15)
+            exact = {0.01: -0.01 * math.sin(t), 0: 0.02, 0.1: 0}[velocity]
+            self.assertAlmostEqual(fields.nodal("acceleration_z", 40)[foot], exact, delta=1e-4)
 
 
 class Impact(unittest.TestCase):
@@ -415,6 +435,17 @@ class Ranks(unittest.TestCase):
                 a, b = (r.fields.vector(name)[o] for r, o in zip((first, other), order))
                 self.assertGreater(numpy.abs(a).max(), 0.01)
                 self.assertLess(numpy.abs(a - b).max(), 1e-10 * max(1, numpy.abs(a).max()), name)
+
+
+class Check(unittest.TestCase):
+    def test_masses(self):
+        deck = scenes.merged(Vibration().deck(1.0, 1), {
+            "displacements": None,
+            "bodies": {"cap": {"node_sets": ["z1"], "rigid": {"free": ["z"], "mass": 2.5}}}})
+        result = scenes.run(deck, command="check")
+        self.assertIn("mass 1\n", result.output)
+        self.assertIn("mass 2.5\n", result.output)
+        self.assertIn("none has to be held", result.output)
 
 
 class Refused(unittest.TestCase):

@@ -196,6 +196,7 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     last_->assign(x);
   const auto owned = static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields();
   raw_residual_.assign(owned, 0.0);
+  inertia_.assign(rule_ ? owned : 0, 0.0);
   rigid_->clear_forces();
   double norms[3] = {0.0, 0.0, 0.0};
   for (const Force which : {Force::internal, Force::other, Force::inertial}) {
@@ -207,23 +208,18 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     pattern_.add_shared_residual(buffer.data());
     if (which == Force::other)
       rigid_->add_loads(time_, buffer.data());
-    if (which == Force::inertial) {
+    if (which == Force::inertial)
       rigid_->add_inertia(buffer.data());
-      forces_ = raw_residual_;
-      inertia_.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(owned));
-    }
+    std::vector<double>& sum = which == Force::inertial ? inertia_ : raw_residual_;
     for (std::size_t i = 0; i < owned; ++i) {
       norms[static_cast<int>(which)] += buffer[i] * buffer[i];
-      raw_residual_[i] += buffer[i];
+      sum[i] += buffer[i];
     }
   }
   rigid_->sum_forces();
   forces_known_ = true;
   measure_forces(x, norms);
-  if (rule_ && rule_->has_past())
-    for (std::size_t i = 0; i < owned; ++i)
-      if (!constrained_[i]) // there the reactions stay those of the end of the step
-        raw_residual_[i] = forces_[i] + rule_->inertia() * inertia_[i] + past_[i];
+  add_motion();
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t i = 0; i < owned; ++i)
     view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];

@@ -52,6 +52,17 @@ void EquationSystem::accelerate(const Vector& x, const Vector& acceleration) {
   keep_past();
 }
 
+/// The last residual holds forces alone so far: adds what inertia and the start of the step make.
+void EquationSystem::add_motion() {
+  if (!rule_)
+    return;
+  forces_ = raw_residual_;
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    raw_residual_[i] = constrained_[i] // there the reactions are those of the end of the step
+                           ? forces_[i] + inertia_[i]
+                           : forces_[i] + rule_->inertia() * inertia_[i] + past_[i];
+}
+
 /// The part of the next equation that the accepted state makes, from the last residual.
 void EquationSystem::keep_past() {
   if (!rule_ || !rule_->has_past())

@@ -131,6 +131,7 @@ private:
   static Force kind(const Contribution& contribution);
   void assemble_residual(Force which, std::vector<double>& buffer);
   void measure_forces(const Vector& x, const double (&norms)[3]);
+  void add_motion();
   void keep_past();
   ResidualScatter residual_scatter(const Part& part, std::vector<double>& buffer);
   std::vector<double> load_residual();
