@@ -301,6 +301,27 @@ class Led(unittest.TestCase):
             self.assertAlmostEqual(fields.nodal("acceleration_z", 40)[foot], exact, delta=1e-4)
 
 
+    def test_prescribed_body(self):
+        """What moves a rigid body along t^2 is its mass times 2, and does the work of its kinetic energy."""
+        times = [0.1 * k for k in range(11)]
+        deck = {
+            "mesh": {"generate": {"kind": "blocks", "lower_size": [1, 1, 2], "upper_size": [0.1, 0.1, 0.1], "gap": 5,
+                                  "lower_divisions": [1, 1, 1], "upper_divisions": [1, 1, 1]}},
+            "materials": {"rubber": RUBBER},
+            "bodies": {"sled": {"blocks": ["lower"], "rigid": {"displacement": [1, 0, 0], "curve": "square",
+                                                               "density": 3}},
+                       "cube": {"blocks": ["upper"], "material": "rubber"}},
+            "curves": {"square": [[t, t * t] for t in times]},
+            "dynamics": {}, "time": {"end": 1, "steps": 10},
+        }
+        fields = scenes.run(deck).fields
+        # It starts with the mean slope of the first piece, so that differences settle after a few steps.
+        self.assertAlmostEqual(fields.globals()["sled_force_x"], 6 * 2, delta=1e-3)
+        self.assertAlmostEqual(fields.globals()["sled_velocity_x"], 2, delta=1e-4)
+        self.assertAlmostEqual(fields.globals()["kinetic_energy"], 0.5 * 6 * 4, delta=1e-2)
+        self.assertAlmostEqual(fields.globals()["momentum_x"], 12, delta=1e-3)
+
+
 class Impact(unittest.TestCase):
     """A bar flies into an equal one at rest: they touch for 2 L/c and exchange their velocities."""
     N, SPEED, GAP = 40, 0.01, 0.005
