@@ -67,7 +67,7 @@ bool EquationSystem::symmetric() const {
 }
 
 NodalFields EquationSystem::fields() const {
-  return {u_.data(), dofs_.fields(), time_};
+  return {u_.data(), dofs_.fields(), time_, predicting_};
 }
 
 std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
@@ -189,6 +189,8 @@ void EquationSystem::assemble_residual(Force which, std::vector<double>& buffer)
 }
 
 void EquationSystem::residual(const Vector& x, Vector& f) {
+  if (predicted_)
+    prepared_ = predicted_ = false; // what was made for the prediction holds no longer
   prepare(x);
   if (last_.is_null())
     last_ = rcp(new Vector(dofs_.map()));
@@ -383,6 +385,8 @@ void EquationSystem::apply_constraints(Vector& x) const {
 }
 
 void EquationSystem::predictor(const Vector& x, Vector& rhs) {
+  predicting_ = true;
+  prepared_ = false;
   tangent(x);
   Vector jump(dofs_.map());
   jump.assign(x);
@@ -404,6 +408,8 @@ void EquationSystem::predictor(const Vector& x, Vector& rhs) {
     }
     r(i, 0) = constrained_[i] ? diagonal * own(i, 0) : -r(i, 0) - lift;
   }
+  predicting_ = false;
+  predicted_ = true;
 }
 
 void EquationSystem::accept(const Vector& x) {

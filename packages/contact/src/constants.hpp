@@ -9,9 +9,9 @@ constexpr double round_off = 1e-9; ///< beside a face by no more than this is on
                                    ///< that differ by less, in face sizes, are one
 constexpr double as_near = 0.01;   ///< difference of distances that decides nothing, in face sizes
 constexpr double hold_margin =
-    0.1; ///< a point that swings between two faces stays on one up to here
-constexpr int swings =
-    4; ///< returns to the face just left, in one solve, that are a cycle and not overshoot
+    0.1;                  ///< a point that swings between two faces stays on one up to here
+constexpr int swings = 4; ///< returns to the face just left, or losses of all partners, in one
+                          ///< solve, that are a cycle and not overshoot
 constexpr double outward_share = -1e-2; ///< cosine between normals below which faces oppose
 constexpr double lock_share = 0.05; ///< least cosine between an inclined ray and the face it meets
 constexpr double frozen_margin = 0.5; ///< how far beside its face a partner may go that stays

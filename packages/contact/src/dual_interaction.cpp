@@ -66,7 +66,7 @@ DualPoint Interaction::read_point(Local face, int point) {
   PointState& state = points_[index];
   const auto at = primary_point(shape(face, point), primary_nodes(face));
   state.offset = present_offset(state);
-  const Partner best = nearest(face, point, at);
+  const Partner best = lasting_partner(face, point, at);
   DualPoint d;
   state.facing = best.face;
   state.anchor = -1;
@@ -109,7 +109,7 @@ void Interaction::evaluate_nodes() {
   dual_->gather(read);
   if (dual_->is_new())
     dual_->start();
-  dual_->decide(friction_, frozen_);
+  dual_->decide(friction_, frozen_, predicting_);
   Kokkos::parallel_for("abut::contact::spread", faces, [&](Local f) {
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];

@@ -3,6 +3,7 @@
 
 #include "abut/contact/dual_weights.hpp"
 #include "constants.hpp"
+#include "prediction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,19 +162,20 @@ void DualLaw::start() {
   }
 }
 
-void DualLaw::decide(double friction, bool frozen) {
+void DualLaw::decide(double friction, bool frozen, bool predicting) {
   for (DualNode& n : nodes_)
-    decide(n, friction, frozen);
+    decide(n, friction, frozen, predicting);
 }
 
-void DualLaw::decide(DualNode& n, double friction, bool frozen) const {
+void DualLaw::decide(DualNode& n, double friction, bool frozen, bool predicting) const {
   const PointRule before = n.rule;
   n.rule = PointRule::open;
   n.touching = false;
   n.settled = true;
   n.pressure = 0.0;
   n.traction = Vec3::zero();
-  if (n.area == 0.0 || (frozen && before == PointRule::open))
+  if (n.area == 0.0 || (frozen && before == PointRule::open) ||
+      (predicting && stays_open(n.converged, n.size)))
     return;
   const double pressure = n.history.multiplier - n.penalty * n.gap;
   if (pressure <= -n.penalty * touching_gap * n.size)

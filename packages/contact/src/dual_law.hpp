@@ -89,7 +89,8 @@ public:
   void start();
   bool is_new() const { return is_new_; } ///< start has not been called
   /// Pressures, status and tractions of the nodes from their means.
-  void decide(double friction, bool frozen);
+  /// predicting: see NodalFields; frozen: no open node closes, no sticking or slipping one changes.
+  void decide(double friction, bool frozen, bool predicting);
   /// The tractions that switching starts from in the next configuration.
   void keep_iterate();
   bool settled() const; ///< the status of every node is that of the return map
@@ -141,7 +142,7 @@ public:
 
 private:
   void cover(const std::vector<DualPoint>& points);
-  void decide(DualNode& node, double friction, bool frozen) const;
+  void decide(DualNode& node, double friction, bool frozen, bool predicting) const;
 
   Comm comm_;
   const mesh::Surface& surface_;

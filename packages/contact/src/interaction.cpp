@@ -50,10 +50,10 @@ double first_factor(const ContactOptions& options) {
 }
 
 /// Options with the space of the multipliers chosen.
-ContactOptions resolved(ContactOptions options, bool poor_side) {
+ContactOptions resolved(ContactOptions options, const SideComparison& sides) {
   if (options.multipliers == Multipliers::automatic) {
     const bool dual = options.enforcement == Enforcement::augmented_lagrangian &&
-                      options.goes_dual() && !poor_side;
+                      options.goes_dual() && sides.suits_dual();
     options.multipliers = dual ? Multipliers::dual : Multipliers::smoothed;
   }
   return options;
@@ -64,8 +64,8 @@ ContactOptions resolved(ContactOptions options, bool poor_side) {
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
                          ContactOptions options, PhaseTimers& timers, double share)
     : comm_(comm), primary_(std::move(primary)), secondary_(std::move(secondary)),
-      poor_side_(compare_sides(comm, primary_, secondary_).is_poor()),
-      options_(resolved(std::move(options), poor_side_)), timers_(timers), share_(share),
+      sides_(compare_sides(comm, primary_, secondary_)),
+      options_(resolved(std::move(options), sides_)), timers_(timers), share_(share),
       self_(options_.primary == options_.secondary && !options_.primary.empty()),
       friction_(options_.friction), facing_(comm, secondary_, options_.reach),
       corners_(comm, primary_), factor_(first_factor(options_)), size_(face_sizes(primary_)),
@@ -236,6 +236,7 @@ void Interaction::collect_if_moved() {
 void Interaction::prepare(const NodalFields& fields) {
   const PhaseTimers::Scope scope(timers_, Phase::search);
   time_ = fields.time;
+  predicting_ = fields.prediction && established_;
   penalty_scale_ = penalty_schedule_ ? penalty_schedule_(time_) : 1.0;
   friction_ = options_.friction * (friction_schedule_ ? friction_schedule_(time_) : 1.0);
   current_coordinates(fields);

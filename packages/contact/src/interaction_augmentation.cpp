@@ -257,7 +257,7 @@ Augmentation Interaction::augmentation() {
   result.stalled = watch_.stalled(now);
   const bool averages = options_.multipliers == Multipliers::smoothed && !increments_;
   if (result.stalled || stiffness_factor() >= stiff_factor)
-    result.cause = watch_.cause(now, averages, dual_ != nullptr, poor_side_);
+    result.cause = watch_.cause(now, averages, dual_ != nullptr, sides_.is_poor());
   return result;
 }
 

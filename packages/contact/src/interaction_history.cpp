@@ -113,6 +113,7 @@ void Interaction::advance_history(Local f, int p) {
 }
 
 void Interaction::accept() {
+  bool contact = false;
   choose_factor();
   const bool augments = options_.augments_at_end();
   if (dual_) {
@@ -131,7 +132,8 @@ void Interaction::accept() {
       state.history.shear =
           state.pressed() ? state.traction - state.pressure * state.normal : Vec3::zero();
       state.converged = state.history;
-      state.returns = 0;
+      contact = contact || state.converged.in_contact;
+      state.returns = state.losses = 0;
       state.left = -1;
     }
     if (options_.update_penalty) {
@@ -143,6 +145,7 @@ void Interaction::accept() {
       stretch_[f] = then > 0.0 ? now / then : 1.0;
     }
   }
+  established_ = comm_.any(contact);
   new_step_ = true;
   x_primary_previous_ = x_primary_;
   x_secondary_previous_ = x_secondary_;
@@ -158,7 +161,7 @@ void Interaction::reject() {
   for (PointState& p : points_) {
     p.history = p.converged;
     p.last = {p.converged.in_contact, false, {}};
-    p.returns = 0;
+    p.returns = p.losses = 0;
     p.near = p.facing = p.left = -1; // the retry must not see where the failure led
   }
   watch_.clear();

@@ -105,7 +105,7 @@ void Interaction::augment() {
   for (Local f = 0; f < primary_.num_faces(); ++f)
     for (int p = 0; p < face_points(f); ++p) {
       PointState& state = points_[point_index(f, p)];
-      state.returns = 0; // another solve may swing for its own reasons
+      state.returns = state.losses = 0; // another solve may swing for its own reasons
       state.left = -1;
       if (!dual_)
         take_multiplier(f, p, true);

@@ -3,6 +3,7 @@
 #include "constants.hpp"
 #include "dual_law.hpp"
 #include "point_search.hpp"
+#include "prediction.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <algorithm>
@@ -139,7 +140,7 @@ void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<dou
   PointState& state = points_[point_index(face, point)];
   const bool was_open = !state.pressed();
   state.settled = true;
-  const Partner best = nearest(face, point, at);
+  const Partner best = lasting_partner(face, point, at);
   state.facing = best.face;
   if (best.face < 0) {
     state.gap = options_.reach * size_[face];
@@ -153,7 +154,8 @@ void Interaction::evaluate_partner(Local face, int point, const PrimaryPoint<dou
   const double pressure = state.multiplier - state.penalty * effective_gap(state);
   // At the kink itself the stiff side of the derivative is taken: bodies that just touch hold.
   const double margin = state.penalty * touching_gap * size_[face];
-  if ((pressure <= -margin && !pulls) || (frozen_ && was_open && !state.touching)) {
+  if ((pressure <= -margin && !pulls) || (frozen_ && was_open && !state.touching) ||
+      (predicting_ && stays_open(state.converged, size_[face]))) {
     set_traction(face, point, PointRule::open);
     return;
   }

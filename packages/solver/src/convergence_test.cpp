@@ -23,6 +23,8 @@ constexpr int divergence_iterations = 3;
 constexpr int longest_cycle = 4;
 constexpr double cycle_tolerance = 1e-9; ///< relative difference of residuals that repeat
 constexpr int stagnation_window = 4;
+constexpr int short_steps = 6; ///< in a row, without any gain: the direction leads nowhere
+constexpr double short_step = 0.5;
 
 std::string scientific(double x) {
   std::ostringstream text;
@@ -66,6 +68,7 @@ void ConvergenceTest::record(const NOX::Solver::Generic& solver) {
   const auto* stepped = dynamic_cast<const NOX::Solver::LineSearchBased*>(&solver);
   if (report.iteration > 0)
     report.step_length = stepped ? stepped->getStepSize() : 1.0;
+  step_lengths_.push_back(report.step_length);
   report.linear_iterations = static_cast<int>(linear_.total_iterations() - linear_before_);
   linear_before_ = linear_.total_iterations();
   if (observer_)
@@ -117,6 +120,12 @@ NOX::StatusTest::StatusType ConvergenceTest::judge() {
                           : "Newton repeats a cycle of " + std::to_string(length) + " iterates.";
     return NOX::StatusTest::Failed;
   }
+  if (no_headway()) {
+    reason_ = "Newton makes no headway: " + std::to_string(short_steps) +
+              " short steps, and a relative residual of " +
+              scientific(relative_size(residual, reference_)) + ".";
+    return NOX::StatusTest::Failed;
+  }
   if (static_cast<int>(residuals_.size()) > options_.max_iterations) {
     reason_ = too_many_iterations();
     return NOX::StatusTest::Failed;
@@ -131,6 +140,13 @@ bool ConvergenceTest::diverges() const {
   const double bound = divergence * std::max(residuals_.front(), first_reference_);
   return std::all_of(residuals_.end() - divergence_iterations, residuals_.end(),
                      [&](double r) { return r > bound; });
+}
+
+bool ConvergenceTest::no_headway() const {
+  return static_cast<int>(residuals_.size()) > short_steps &&
+         residuals_.back() >= residuals_.front() &&
+         std::all_of(step_lengths_.end() - short_steps, step_lengths_.end(),
+                     [](double s) { return s <= short_step; });
 }
 
 int ConvergenceTest::cycle_length() const {

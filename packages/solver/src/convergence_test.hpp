@@ -37,6 +37,7 @@ private:
   bool small_correction() const;
   bool diverges() const;
   int cycle_length() const; ///< 0: no cycle
+  bool no_headway() const;
   std::string too_many_iterations() const;
 
   const NonlinearSystem& system_;
@@ -46,7 +47,7 @@ private:
   const Vector& start_;
   IterationCallback observer_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
-  std::vector<double> residuals_;
+  std::vector<double> residuals_, step_lengths_;
   double reference_ = 0.0, first_reference_ = 0.0;
   double correction_ = 0.0, increment_ = 0.0; ///< |dx|_2 of the last iterate, |x - start|_2
   double work_left_ = 0.0, largest_work_;     ///< |dx . f| with the new f, and the old ones' most

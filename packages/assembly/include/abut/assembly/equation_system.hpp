@@ -158,6 +158,8 @@ private:
   std::vector<char> constrained_column_; ///< (columns of the graph)
   std::unique_ptr<RigidBodies> rigid_;
   double time_ = 0.0;
+  bool predicting_ = false; ///< see NodalFields::prediction
+  bool predicted_ = false;  ///< what is prepared is of the prediction
   bool prepared_ = false;
   bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
   std::vector<double> u_;          ///< (N, fields) of the last prepare

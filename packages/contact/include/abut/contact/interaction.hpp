@@ -8,6 +8,7 @@
 #include "abut/contact/options.hpp"
 #include "abut/contact/plateau.hpp"
 #include "abut/contact/point_state.hpp"
+#include "abut/contact/side_choice.hpp"
 #include "abut/core/contribution.hpp"
 #include "abut/core/log.hpp"
 #include "abut/fem/quadrature.hpp"
@@ -184,6 +185,7 @@ private:
   void visit(const Query& query, Local candidate, double& limit, Partner& inner,
              Partner& beside) const;
   Partner nearest(Local face, int point, const PrimaryPoint<double>& at);
+  Partner lasting_partner(Local face, int point, const PrimaryPoint<double>& at);
   bool own_neighbour(Local face, Local candidate) const;
   bool crossed(const Query& query, Local candidate, const double xi[2], double gap) const;
 
@@ -267,7 +269,7 @@ private:
   Comm comm_;
   mesh::Surface primary_, secondary_; ///< coordinates relative to origin_
   Vec3 origin_ = Vec3::zero();
-  bool poor_side_; ///< the primary is stiff and fine
+  SideComparison sides_;
   ContactOptions options_;
   PhaseTimers& timers_;
   double share_;
@@ -296,10 +298,12 @@ private:
   std::vector<double> x_secondary_, x_secondary_previous_; ///< (nodes, 3)
   bool started_ = false;
   bool exact_tangent_ = false;
-  bool frozen_ = false;    ///< points keep their status in the next search
-  bool new_step_ = true;   ///< the next search is the first of a step
-  int searches_ = 0;       ///< since the last change of history
-  bool collected_ = false; ///< on all ranks together
+  bool established_ = false; ///< some point was in contact at the last converged step
+  bool predicting_ = false;  ///< that step has contact, and the next one is being predicted
+  bool frozen_ = false;      ///< points keep their status in the next search
+  bool new_step_ = true;     ///< the next search is the first of a step
+  int searches_ = 0;         ///< since the last change of history
+  bool collected_ = false;   ///< on all ranks together
   double motion_ = 0.0; ///< bound of the relative motion since the last step, 0: within the reach
   double collected_motion_ = 0.0; ///< of the last collection
   std::vector<Vec3> x_primary_collected_;

@@ -40,7 +40,8 @@ enum class Tangent {
 
 /// Where the multipliers of augmented Lagrangian live. docs/theory/multipliers.md
 enum class Multipliers {
-  automatic, ///< dual, or smoothed where a dual law does not go: goes_dual, SideComparison::is_poor
+  automatic, ///< dual, or smoothed where a dual law does not go: goes_dual,
+             ///< SideComparison::suits_dual
   per_point, ///< one at each integration point: the theory; its pressures oscillate
   smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero

@@ -19,6 +19,9 @@ struct SideComparison {
   /// two-body studies pressures were off by 7 % at .5, by 18 to 30 % at .01.
   double health() const { return size / stiffness; }
   bool is_poor() const { return stiffness > 1.5 && size < 0.8; }
+  /// Dual tractions alternate in sign within a face. Where only the secondary yields they dent it
+  /// between its nodes, and a deep dent leaves Newton without an end.
+  bool suits_dual() const { return !is_poor() && stiffness <= 10.0; }
 };
 
 /// Means over the faces by area; modulus 0 is rigid. Collective.

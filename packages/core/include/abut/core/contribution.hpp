@@ -15,6 +15,9 @@ struct NodalFields {
   const double* u = nullptr; ///< (N, fields) unknowns; the displacement comes first [length]
   int fields = 0;            ///< unknowns per node
   double time = 0.0;         ///< load parameter
+  /// u is the last step's while loads and prescribed bodies are already the next one's: what is
+  /// made of it only predicts the step.
+  bool prediction = false;
 };
 
 /// Cells as lists of global mesh node ids, in CRS form: cell i has the nodes
