@@ -48,10 +48,10 @@ def mean_dilatation(nu):
 
 
 def error(material, nu, facets, **contact):
-    """Of the force, relative to the exact one."""
+    """Of the force, relative to the exact one, and whether all points press."""
     result = scenes.run(deck(material, nu, facets, **contact), seconds=300)
-    assert result.contact("punch")["active_points"] == 3 * facets**2  # all: 3/4 facets^2 faces of 4 points
-    return -result.force("punch")[2] / exact_force(nu) - 1
+    points = 3 * facets**2  # 4 in each of 3/4 facets^2 faces
+    return -result.force("punch")[2] / exact_force(nu) - 1, result.contact("punch")["active_points"] == points
 
 
 class Incompressible(unittest.TestCase):
@@ -63,7 +63,8 @@ class Incompressible(unittest.TestCase):
         for contact in self.ENFORCEMENTS:
             worst = []
             for facets in (6, 10):
-                errors = [error(mean_dilatation(nu), nu, facets, **contact) for nu in RATIOS]
+                errors, press = zip(*(error(mean_dilatation(nu), nu, facets, **contact) for nu in RATIOS))
+                self.assertTrue(all(press))
                 print(*contact.values(), "|", facets, "|", " ".join(f"{e:.4f}" for e in errors))
                 worst.append(max(map(abs, errors)))
                 # From .45 on nothing but the last digits of the ratio changes.
@@ -73,8 +74,10 @@ class Incompressible(unittest.TestCase):
 
     def test_displacement_elements_lock_here(self):
         """Else the scene would show nothing."""
-        errors = [error(displacement_element(nu), nu, 6, penalty_factor=100) for nu in (0.3, 0.49, 0.4999)]
+        errors, press = zip(*(error(displacement_element(nu), nu, 6, penalty_factor=100)
+                              for nu in (0.3, 0.49, 0.4999)))
         print("displacement elements: " + " ".join(f"{e:.4f}" for e in errors))
+        self.assertFalse(press[-1])  # some points even come off
         self.assertLess(errors[0], 0.06)
         self.assertGreater(errors[1], 0.15)
         self.assertGreater(errors[2], 2.0)

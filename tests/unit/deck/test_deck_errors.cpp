@@ -65,11 +65,11 @@ TEST_P(DeckErrors, NameFileLineKeyAndWhatWasExpected) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, DeckErrors,
     testing::Values(
-        Case{
-            6, "contct:",
-            "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, "
-            "displacements, loads, curves, contact, time, dynamics, newton, linear_solver, output, trilinos, "
-            "check, verify; did you mean 'contact'?"},
+        Case{6, "contct:",
+             "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, "
+             "displacements, loads, curves, contact, time, dynamics, newton, linear_solver, "
+             "output, trilinos, "
+             "check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
