@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.hpp"
 
+#include "dynamics.hpp"
 #include "model.hpp"
 #include "supports.hpp"
 
@@ -123,6 +124,8 @@ void explain_bodies(const Model& m, const Printer& print) {
       kinds += fmt::format(" {} {}", count, name);
     print("  {}: {} elements ({} ), {}", body.name, elements, kinds,
           body.rigid ? explain_rigid(m, i) : "material " + body.material);
+    if (m.inertia)
+      print("    mass {:.6g}", body.motion.mass.value_or(body_mass(m, i).mass));
   }
   for (const auto& material : m.deck.materials)
     print("material {}: {}", material.name, explain_material(material));
@@ -154,8 +157,10 @@ void explain_supports(const Model& m, const Printer& print) {
     print("  {}: {} nodes of '{}',{}{}{}", d.name, m.comm.sum(nodes), d.set, parts,
           d.relative ? ", relative" : "", explain_window(d.window));
   }
-  const auto free = free_pieces(m);
-  if (free.empty())
+  const auto free = m.deck.dynamics.active ? std::vector<FreePiece>() : free_pieces(m);
+  if (m.deck.dynamics.active)
+    print("  bodies move by inertia: none has to be held");
+  else if (free.empty())
     print("  every body is held");
   for (const FreePiece& piece : free)
     for (const std::string& motion : piece.motions)
@@ -213,7 +218,8 @@ void check(const std::string& deck_file) {
   explain_contact(*m, print);
   for (const std::string& warning : m->warnings)
     print("WARNING: {}", warning);
-  require_supports(*m);
+  if (!m->deck.dynamics.active)
+    require_supports(*m);
   print("the deck is valid");
 }
 

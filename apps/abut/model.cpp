@@ -9,6 +9,7 @@
 #include "abut/solid/face_stiffness.hpp"
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
+#include "dynamics.hpp"
 #include "rigid_joints.hpp"
 #include "rigid_motion.hpp"
 #include "windows.hpp"
@@ -269,6 +270,10 @@ void add_equations(Model& m) {
         std::make_shared<solid::LoadContribution>(*m.mesh, load, given_curve(m.deck, load.curve)));
   for (const auto& contact : m.contacts)
     m.equations->add(contact);
+  if (m.deck.dynamics.active) {
+    m.inertia = make_inertia(m);
+    m.equations->add(m.inertia);
+  }
   m.equations->set_constraints(m.constraints);
   m.equations->set_rigid_bodies(m.rigid_bodies);
   m.equations->set_rigid_joints(m.joints);
@@ -276,6 +281,19 @@ void add_equations(Model& m) {
     m.warnings.push_back("joints." + joint + ": its " + component +
                          " is held by other joints or supports already. It carries no force of "
                          "its own, and the run stops where it would have to move");
+}
+
+/// Impact with multipliers brings energy in, which rules near the trapezoidal one keep.
+void warn_of_impact(Model& m) {
+  const solver::DynamicsOptions& dynamics = m.deck.dynamics;
+  const bool damped = dynamics.spectral_radius == 0.0 || dynamics.gamma.value_or(0.5) > 0.5;
+  for (const auto& c : m.deck.contact)
+    if (dynamics.active && !damped && c.enforcement == contact::Enforcement::augmented_lagrangian)
+      m.warnings.push_back(fmt::format(
+          "contact.{}: multipliers bring energy in where surfaces hit each other; watch "
+          "energy_imbalance, and take 'spectral_radius: 0' or 'enforcement: penalty' with "
+          "'penalty_factor: 1' where they do",
+          c.name));
 }
 
 } // namespace
@@ -320,6 +338,7 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
   const std::vector<std::string> between = windows_between_steps(m->deck);
   m->warnings.insert(m->warnings.end(), between.begin(), between.end());
   add_equations(*m);
+  warn_of_impact(*m);
   return m;
 }
 

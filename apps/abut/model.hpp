@@ -6,6 +6,7 @@
 #include "abut/core/log.hpp"
 #include "abut/deck/deck.hpp"
 #include "abut/mesh/mesh.hpp"
+#include "abut/solid/inertia_contribution.hpp"
 #include "abut/solid/material.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
@@ -32,6 +33,7 @@ struct Model {
   std::vector<assembly::Constraint> constraints;
   std::vector<std::shared_ptr<solid::SolidContribution>> solids;
   std::vector<std::shared_ptr<contact::Interaction>> contacts;
+  std::shared_ptr<solid::InertiaContribution> inertia; ///< null without dynamics
   std::unique_ptr<assembly::EquationSystem> equations;
   std::vector<std::string> warnings; ///< what a user should hear before the run
 };

@@ -31,6 +31,30 @@ Energy energy(const Model& m, const State& s) {
   return e;
 }
 
+/// Motion and momentum of all bodies.
+void add_motion(const Model& m, const NodalFields& fields, State& s) {
+  s.velocity = m.inertia->motion().velocity();
+  s.acceleration = m.inertia->motion().acceleration();
+  s.rigid_motions = m.equations->rigid_body_motions();
+  const solid::Momentum mine = m.inertia->momentum(fields);
+  double sums[7] = {mine.kinetic_energy};
+  for (int i = 0; i < 3; ++i) {
+    sums[1 + i] = mine.linear[i];
+    sums[4 + i] = mine.angular[i];
+  }
+  m.comm.sum(sums, 7);
+  s.energy.kinetic = sums[0];
+  for (int i = 0; i < 3; ++i) {
+    s.momentum[i] = sums[1 + i];
+    s.angular_momentum[i] = sums[4 + i];
+  }
+  for (const assembly::RigidBodyMotion& body : s.rigid_motions) {
+    s.energy.kinetic += body.kinetic_energy;
+    s.momentum += body.linear_momentum;
+    s.angular_momentum += body.angular_momentum;
+  }
+}
+
 } // namespace
 
 State make_state(const Model& m, const Vector& x, double time, const solver::Counters& counters) {
@@ -49,6 +73,8 @@ State make_state(const Model& m, const Vector& x, double time, const solver::Cou
         m.material[b] ? solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields)
                       : solid::ElementFields());
   s.energy = energy(m, s);
+  if (m.inertia)
+    add_motion(m, fields, s);
   return s;
 }
 
@@ -63,6 +89,51 @@ constexpr RigidQuantity rigid_quantities[] = {
     {"_rotation", &assembly::RigidBodyState::rotation},
     {"_force", &assembly::RigidBodyState::force},
     {"_moment", &assembly::RigidBodyState::moment}};
+
+struct MotionQuantity {
+  const char* name;
+  const Vec3 assembly::RigidBodyMotion::*values;
+};
+constexpr MotionQuantity motion_quantities[] = {
+    {"_velocity", &assembly::RigidBodyMotion::velocity},
+    {"_angular_velocity", &assembly::RigidBodyMotion::spin}};
+constexpr const char* axes[] = {"_x", "_y", "_z"};
+
+} // namespace
+
+namespace {
+
+void add_motion_names(const Model& m, io::ResultNames& names) {
+  for (const char* field : {"velocity", "acceleration"})
+    for (const char* i : axes)
+      names.nodal.push_back(std::string(field) + i);
+  names.global.push_back("kinetic_energy");
+  for (const char* quantity : {"momentum", "angular_momentum"})
+    for (const char* i : axes)
+      names.global.push_back(std::string(quantity) + i);
+  for (const auto& body : m.rigid_bodies)
+    for (const MotionQuantity& q : motion_quantities)
+      for (const char* i : axes)
+        names.global.push_back(body.name + q.name + i);
+}
+
+void put_motion(const Model& m, const State& s, io::ResultStep& step) {
+  const auto owned = static_cast<std::size_t>(m.mesh->num_owned);
+  for (const auto* field : {&s.velocity, &s.acceleration})
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<double>& values = step.nodal.emplace_back(owned);
+      for (std::size_t n = 0; n < owned; ++n)
+        values[n] = (*field)[3 * n + i];
+    }
+  step.global.push_back(s.energy.kinetic);
+  for (const Vec3* v : {&s.momentum, &s.angular_momentum})
+    for (int i = 0; i < 3; ++i)
+      step.global.push_back((*v)[i]);
+  for (const auto& body : s.rigid_motions)
+    for (const MotionQuantity& q : motion_quantities)
+      for (int i = 0; i < 3; ++i)
+        step.global.push_back((body.*q.values)[i]);
+}
 
 } // namespace
 
@@ -88,6 +159,8 @@ io::ResultNames result_names(const Model& m) {
                           "_translation", "_rotation"})
       names.global.push_back(joint.name + q);
   }
+  if (m.inertia)
+    add_motion_names(m, names);
   return names;
 }
 
@@ -200,6 +273,8 @@ io::ResultStep result_step(const Model& m, const State& s) {
     step.global.push_back(joint.translation);
     step.global.push_back(joint.rotation);
   }
+  if (m.inertia)
+    put_motion(m, s, step);
   return step;
 }
 

@@ -19,7 +19,10 @@ struct Energy {
   double stored = 0.0;   ///< strain energy, and what springs between rigid bodies took up
   double penalty = 0.0;  ///< in the springs of contact; 0 once multipliers have converged
   double friction = 0.0; ///< dissipated
-  double imbalance() const { return work_in - stored - penalty - friction; }
+  double kinetic = 0.0, kinetic_at_start = 0.0;
+  double imbalance() const {
+    return work_in - stored - penalty - friction - (kinetic - kinetic_at_start);
+  }
 };
 
 /// What is known of the last converged step.
@@ -33,6 +36,10 @@ struct State {
   Energy energy;
   std::vector<assembly::RigidBodyState> rigid_bodies; ///< of Model::rigid_bodies
   std::vector<assembly::RigidJointState> joints;      ///< of Model::joints
+  // Of dynamics, else empty:
+  std::vector<double> velocity, acceleration; ///< (N, 3)
+  std::vector<assembly::RigidBodyMotion> rigid_motions;
+  Vec3 momentum = Vec3::zero(), angular_momentum = Vec3::zero(); ///< the latter about the origin
 };
 
 /// Collective. The equations must have been evaluated at x.

@@ -2,6 +2,7 @@
 #include "rigid_motion.hpp"
 
 #include "abut/core/error.hpp"
+#include "dynamics.hpp"
 
 #include <algorithm>
 
@@ -134,6 +135,7 @@ std::vector<assembly::RigidBody> rigid_bodies(const Model& m) {
       body.load_factor[i] =
           m.deck.curve(motion.load_curves[i].empty() ? motion.load_curve : motion.load_curves[i]);
     body.follower = motion.follower;
+    set_inertia(m, *options, body);
     result.push_back(std::move(body));
   }
   return result;

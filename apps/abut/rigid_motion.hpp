@@ -11,7 +11,7 @@ namespace abut::app {
 /// Collective.
 std::vector<int> rigid_nodes(const Model& model);
 
-/// The rigid bodies of the deck in its order, as equations know them.
+/// The rigid bodies of the deck in its order, as equations know them. Collective.
 std::vector<assembly::RigidBody> rigid_bodies(const Model& model);
 
 } // namespace abut::app

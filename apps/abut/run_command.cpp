@@ -2,6 +2,7 @@
 #include "run_command.hpp"
 
 #include "augmentation.hpp"
+#include "dynamics.hpp"
 #include "points_file.hpp"
 #include "progress.hpp"
 #include "results.hpp"
@@ -89,7 +90,8 @@ int run(const RunOptions& options) {
   Vector x(map), f(map);
   solver::AssembledSystem system(*m.equations);
   comm.together([&] { system.residual(x, f); });
-  require_supports(m);
+  if (!m.deck.dynamics.active) // else inertia holds
+    require_supports(m);
   const auto linear = solver::make_linear_solver(m.deck.linear, system, progress.sink(), &m.timers);
   progress.line(fmt::format("{}: {} nodes, {} elements, {} unknowns on {} rank{}",
                             m.deck.title.empty() ? m.deck.file : m.deck.title, m.mesh->num_nodes,
@@ -98,7 +100,10 @@ int run(const RunOptions& options) {
 
   for (const std::string& warning : m.warnings)
     progress.line("warning: " + warning);
+  if (m.deck.dynamics.active)
+    start_dynamics(m, *linear, x);
   State state = make_state(m, x, 0.0, {});
+  const double kinetic_at_start = state.energy.kinetic_at_start = state.energy.kinetic;
   io::ResultWriter writer(stem, *m.mesh, result_names(m), m.deck.output.files);
   std::optional<PointsFile> points;
   if (m.deck.output.points)
@@ -134,6 +139,7 @@ int run(const RunOptions& options) {
     counters.augmentations += report.augmentations;
     counters.cut_backs += report.cuts;
     state = make_state(m, at, report.t, counters);
+    state.energy.kinetic_at_start = kinetic_at_start;
     augmentations = report.augmentations;
     Global active = 0;
     double ratio = 0.0;

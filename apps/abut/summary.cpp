@@ -113,6 +113,12 @@ void write_summary(const Model& m, const State& s, const RunFacts& facts,
                  {"friction", s.energy.friction},
                  {"imbalance", s.energy.imbalance()}}},
                {"verify", Json::array()}};
+  if (m.inertia) {
+    const auto list = [](const Vec3& v) { return Json{v[0], v[1], v[2]}; };
+    json["energy"]["kinetic"] = s.energy.kinetic;
+    json["momentum"] = list(s.momentum);
+    json["angular_momentum"] = list(s.angular_momentum);
+  }
   if (!m.rigid_bodies.empty())
     json["rigid_bodies"] = rigid_json(m, s);
   if (!m.joints.empty())

@@ -145,6 +145,7 @@ void EquationSystem::prepare(const Vector& x) {
   });
   update_pattern();
   rigid_->follow(pattern_);
+  rigid_->move_masses(time_ - accepted_time_);
   prepared_ = true;
   if (scale_joints_)
     scale_joints();
@@ -154,7 +155,7 @@ void EquationSystem::prepare(const Vector& x) {
 /// While there is nothing, multipliers are zero and their scale may change from step to step.
 void EquationSystem::scale_joints() {
   scale_joints_ = false;
-  assemble_tangent();
+  assemble_tangent(false);
   double largest = 0.0;
   for (const double k : pattern_.diagonal(raw_values_.data()))
     largest = std::max(largest, std::fabs(k));
@@ -199,14 +200,22 @@ ResidualScatter EquationSystem::residual_scatter(const Part& p, std::vector<doub
   scatter.row = p.positions.row.data();
   scatter.values = buffer.data();
   scatter.rigid = rigid_->scatter(p.positions);
+  if (p.contribution->inertial())
+    scatter.rigid.force = rigid_->inertial_forces();
   return scatter;
 }
 
+EquationSystem::Force EquationSystem::kind(const Contribution& contribution) {
+  return contribution.inertial()         ? Force::inertial
+         : contribution.internal_force() ? Force::internal
+                                         : Force::other;
+}
+
 /// Adds what all contributions of one kind exert to the rows of this rank, owned and shared.
-void EquationSystem::assemble_residual(bool internal, std::vector<double>& buffer) {
+void EquationSystem::assemble_residual(Force which, std::vector<double>& buffer) {
   dofs_.mesh().comm.together([&] {
     for (Part& p : parts_) {
-      if (p.contribution->internal_force() != internal)
+      if (kind(*p.contribution) != which)
         continue;
       const PhaseTimers::Scope scope(timers_, p.contribution->phase());
       p.contribution->residual(fields(), residual_scatter(p, buffer));
@@ -238,27 +247,40 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     last_ = rcp(new Vector(dofs_.map()));
   if (last_.get() != &x)
     last_->assign(x);
-  const Comm& comm = dofs_.mesh().comm;
-  const int width = dofs_.fields();
-  const auto owned = static_cast<std::size_t>(dofs_.num_rows()) * width;
+  const auto owned = static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields();
   raw_residual_.assign(owned, 0.0);
+  inertia_.assign(rule_ ? owned : 0, 0.0);
   rigid_->clear_forces();
-  double norms[2] = {0.0, 0.0}; // internal forces, all others
-  for (const bool internal : {true, false}) {
-    std::vector<double> buffer(static_cast<std::size_t>(pattern_.num_rows()) * width, 0.0);
-    assemble_residual(internal, buffer);
+  double norms[3] = {0.0, 0.0, 0.0};
+  for (const Force which : {Force::internal, Force::other, Force::inertial}) {
+    if (which == Force::inertial && !rule_)
+      break;
+    std::vector<double> buffer(static_cast<std::size_t>(pattern_.num_rows()) * dofs_.fields(), 0.0);
+    assemble_residual(which, buffer);
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
     pattern_.add_shared_residual(buffer.data());
-    if (!internal)
+    if (which == Force::other)
       rigid_->add_loads(time_, buffer.data());
+    if (which == Force::inertial)
+      rigid_->add_inertia(buffer.data());
+    std::vector<double>& sum = which == Force::inertial ? inertia_ : raw_residual_;
     for (std::size_t i = 0; i < owned; ++i) {
-      norms[internal ? 0 : 1] += buffer[i] * buffer[i];
-      raw_residual_[i] += buffer[i];
+      norms[static_cast<int>(which)] += buffer[i] * buffer[i];
+      sum[i] += buffer[i];
     }
   }
-  const double joint_norm = add_joint_forces(raw_residual_);
+  joint_norm_ = add_joint_forces(raw_residual_);
   rigid_->sum_forces();
   forces_known_ = true;
+  measure_forces(x, norms);
+  add_motion();
+  const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t i = 0; i < owned; ++i)
+    view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
+}
+
+/// What a residual is compared with, from the squared norms of each kind of force on this rank.
+void EquationSystem::measure_forces(const Vector& x, const double (&norms)[3]) {
   double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
   const auto unknowns = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (std::size_t i = 0; i < diagonal_.size(); ++i) {
@@ -272,14 +294,11 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     unsettled += p.contribution->settled() ? 0.0 : 1.0;
   }
   stiff += positions / (round_off * round_off);
-  double all[5] = {norms[0], norms[1], stiff, unsettled, joint_norm};
-  comm.sum(all, 5);
-  settled_ = all[3] == 0.0 && joints_->closed();
-  reference_force_ = std::sqrt(std::max({all[0], all[1], all[4]}));
-  round_off_force_ = round_off * std::sqrt(all[2] + joints_->rounding_force2());
-  const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t i = 0; i < owned; ++i)
-    view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
+  double all[6] = {norms[0], norms[1], norms[2], joint_norm_, stiff, unsettled};
+  dofs_.mesh().comm.sum(all, 6);
+  settled_ = all[5] == 0.0 && joints_->closed();
+  reference_force_ = std::sqrt(std::max({all[0], all[1], all[2], all[3]}));
+  round_off_force_ = round_off * std::sqrt(all[4] + joints_->rounding_force2());
 }
 
 void EquationSystem::assemble_tangent_of(Part& p) {
@@ -296,24 +315,36 @@ void EquationSystem::assemble_tangent_of(Part& p) {
   p.contribution->tangent(fields(), scatter);
 }
 
-void EquationSystem::assemble_tangent() {
+/// Also what start_motion and steps of length zero ask for: the mass by itself.
+void EquationSystem::assemble_tangent(bool mass_alone) {
   if (rigid_->have_unknowns() && !forces_known_) {
     std::vector<double> unused(static_cast<std::size_t>(pattern_.num_rows()) * dofs_.fields(), 0.0);
     rigid_->clear_forces();
-    for (const bool internal : {true, false})
-      assemble_residual(internal, unused);
+    for (const Force which : {Force::internal, Force::other, Force::inertial})
+      assemble_residual(which, unused);
     rigid_->sum_forces();
     forces_known_ = true;
   }
+  const double weight = rule_ && !mass_alone ? rule_->inertia() : 1.0;
   raw_values_.assign(static_cast<std::size_t>(pattern_.num_values()), 0.0);
   dofs_.mesh().comm.together([&] {
     for (Part& p : parts_)
-      assemble_tangent_of(p);
+      if (p.contribution->inertial())
+        assemble_tangent_of(p);
+    if (weight != 1.0)
+      for (double& value : raw_values_)
+        value *= weight;
+    for (Part& p : parts_)
+      if (!p.contribution->inertial() && !mass_alone)
+        assemble_tangent_of(p);
   });
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   pattern_.add_shared_values(raw_values_.data());
-  rigid_->add_stiffness(time_, pattern_, raw_values_.data());
-  joints_->add_tangent(pattern_, raw_values_.data());
+  if (!mass_alone) {
+    rigid_->add_stiffness(time_, weight, pattern_, raw_values_.data());
+    joints_->add_tangent(pattern_, raw_values_.data());
+  }
+  rigid_->add_inertia_tangent(weight, pattern_, raw_values_.data());
 }
 
 /// Values of the unknowns behind the columns of this rank's rows.
@@ -329,7 +360,12 @@ RCP<const Vector> EquationSystem::column_values(const Vector& owned) const {
 
 RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
   prepare(x);
-  assemble_tangent();
+  assemble_tangent(false);
+  return make_matrix();
+}
+
+/// The matrix of the raw values, constraints applied.
+RCP<const Matrix> EquationSystem::make_matrix() {
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   if (matrix_.is_null()) {
     matrix_ = rcp(new Matrix(pattern_.graph()));
@@ -435,6 +471,8 @@ void EquationSystem::accept(const Vector& x) {
     for (RowConstraint& c : *list)
       c.has_held = c.holds;
   joints_->accept();
+  accepted_time_ = time_;
+  keep_past();
   if (rigid_->have_unknowns())
     prepared_ = false; // the same place, but the rotation's increments count from here
 }

@@ -14,7 +14,7 @@ std::vector<double> EquationSystem::load_residual() {
   std::vector<double> unused(12 * rigid_->size(), 0.0);
   dofs_.mesh().comm.together([&] {
     for (Part& p : parts_) {
-      if (p.contribution->internal_force() || p.contribution->phase() == Phase::contact)
+      if (kind(*p.contribution) != Force::other || p.contribution->phase() == Phase::contact)
         continue;
       ResidualScatter scatter = residual_scatter(p, buffer);
       scatter.rigid.force = unused.data();

@@ -91,7 +91,8 @@ std::vector<RowConstraint> RigidBodies::constraints() const {
   return result;
 }
 
-std::vector<Placement> RigidBodies::place(const Vector& x, double t) const {
+/// (bodies,6) entries of x in the rows of the bodies, on all ranks.
+std::vector<double> RigidBodies::all_unknowns(const Vector& x) const {
   std::vector<double> unknowns(6 * bodies_.size(), 0.0);
   if (have_unknowns_) {
     const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -100,6 +101,11 @@ std::vector<Placement> RigidBodies::place(const Vector& x, double t) const {
         unknowns[6 * b + i] = view(first_owned_row(b) + i, 0);
     dofs_.mesh().comm.sum(unknowns.data(), static_cast<int>(unknowns.size()));
   }
+  return unknowns;
+}
+
+std::vector<Placement> RigidBodies::place(const Vector& x, double t) const {
+  const std::vector<double> unknowns = all_unknowns(x);
   std::vector<Placement> result(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Placement& p = result[b];
@@ -157,6 +163,8 @@ void RigidBodies::put_centers(double* x) const {
 }
 
 void RigidBodies::accept() {
+  for (RigidInertia& inertia : inertia_)
+    inertia.accept();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!bodies_[b].has_unknowns())
       continue;
@@ -239,13 +247,16 @@ void RigidBodies::sum_forces() {
     dofs_.mesh().comm.sum(force_.data(), static_cast<int>(force_.size()));
 }
 
-void RigidBodies::add_stiffness(double t, const BlockPattern& pattern, double* values) const {
+void RigidBodies::add_stiffness(double t, double inertia_weight, const BlockPattern& pattern,
+                                double* values) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!owns(b))
       continue;
     const Mat3 tangent = rotation_tangent(placements_[b].step_rotation);
     // A force f on an arm a: (w x a) x f = (a f^T - (a . f) I) w for a small rotation w.
-    const double* s = &force_[12 * b + 3];
+    double s[9];
+    for (std::size_t i = 0; i < 9; ++i)
+      s[i] = force_[12 * b + 3 + i] + inertia_weight * force_[12 * (bodies_.size() + b) + 3 + i];
     const double trace = s[0] + s[4] + s[8];
     Mat3 of_moment, of_force = Mat3::zero();
     for (int i = 0; i < 3; ++i)
@@ -258,15 +269,8 @@ void RigidBodies::add_stiffness(double t, const BlockPattern& pattern, double* v
         for (int j = 0; j < 3; ++j)
           of_moment[i][j] += turned[i][j];
     }
-    const auto add = [&](int block_row, const Mat3& k) {
-      const Local row = pattern.body_rows()[2 * b + static_cast<std::size_t>(block_row)];
-      double* out = values + pattern.body_block(static_cast<int>(b), block_row, 1);
-      for (int i = 0; i < 3; ++i, out += pattern.row_length()[row])
-        for (int j = 0; j < 3; ++j)
-          out[j] += k[i][j];
-    };
-    add(0, scaled(1.0 / length_[b], of_force * tangent));
-    add(1, scaled(1.0 / (length_[b] * length_[b]), of_moment * tangent));
+    add_block(pattern, b, 0, 1, 1.0, of_force * tangent, values);
+    add_block(pattern, b, 1, 1, 1.0, of_moment * tangent, values);
   }
 }
 
@@ -283,6 +287,18 @@ Mat3 RigidBodies::turn(std::size_t b) const {
   return scaled(1.0 / length_[b], rotation_tangent(placements_[b].step_rotation));
 }
 
+/// Adds a derivative of force (row 0) or moment (1) by displacement (column 0) or rotation (1).
+void RigidBodies::add_block(const BlockPattern& pattern, std::size_t b, int row, int column,
+                            double scale, const Mat3& k, double* values) const {
+  for (const int turns : {row, column})
+    scale /= turns == 1 ? length_[b] : 1.0;
+  const Local at = pattern.body_rows()[2 * b + static_cast<std::size_t>(row)];
+  double* out = values + pattern.body_block(static_cast<int>(b), row, column);
+  for (int i = 0; i < 3; ++i, out += pattern.row_length()[at])
+    for (int j = 0; j < 3; ++j)
+      out[j] += scale * k[i][j];
+}
+
 std::vector<RigidBodyState> RigidBodies::states(double t, const std::vector<double>& others) const {
   std::vector<RigidBodyState> result(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -292,15 +308,20 @@ std::vector<RigidBodyState> RigidBodies::states(double t, const std::vector<doub
     state.rotation = bodies_[b].has_unknowns() ? rotation_vector(p.rotation, accepted_vector_[b])
                                                : p.step_rotation;
     const Vec3 force = load(b, false, t), moment = load(b, true, t);
-    const double* f = &force_[12 * b];
+    double f[12];
+    for (std::size_t i = 0; i < 12; ++i)
+      f[i] = force_[12 * b + i] + force_[12 * (bodies_.size() + b) + i];
     const double* s = f + 3; // sum of arm f^T, whose skew part is the moment
+    const Vec3 own_force = inertia_.empty() ? Vec3::zero() : inertia_[b].force();
+    const Vec3 own_moment = inertia_.empty() ? Vec3::zero() : inertia_[b].moment();
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const std::size_t push = 6 * b + std::size_t(i);
       if (is_held(b, std::size_t(i), t))
-        state.force[i] = f[i] + others[6 * b + std::size_t(i)] - force[i];
+        state.force[i] = f[i] + others[push] + own_force[i] - force[i];
       if (is_held(b, std::size_t(i + 3), t))
         state.moment[i] =
-            s[3 * j + k] - s[3 * k + j] + others[6 * b + 3 + std::size_t(i)] - moment[i];
+            s[3 * j + k] - s[3 * k + j] + others[push + 3] + own_moment[i] - moment[i];
     }
   }
   return result;

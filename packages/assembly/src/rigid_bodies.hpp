@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abut/assembly/block_pattern.hpp"
-#include "abut/assembly/rigid_body.hpp"
+#include "abut/assembly/rigid_inertia.hpp"
 #include "abut/core/scatter.hpp"
 
 #include <vector>
@@ -70,7 +70,9 @@ public:
   void follow(const BlockPattern& pattern);
   RigidScatter scatter(const CellPositions& positions);
 
-  void clear_forces() { force_.assign(12 * bodies_.size(), 0.0); }
+  void clear_forces() { force_.assign(24 * bodies_.size(), 0.0); }
+  /// (bodies,12) sums of the rates of momentum of what moves with the bodies, see RigidScatter.
+  double* inertial_forces() { return force_.data() + 12 * bodies_.size(); }
   /// Adds minus the bodies' loads at t to their owned rows.
   void add_loads(double t, double* residual) const;
   /// Largest load over its body's size [force/length].
@@ -78,13 +80,32 @@ public:
   /// Sums the forces on the nodes over the ranks. Collective.
   void sum_forces();
   /// Adds to the owned rows how moments change with arms, and follower loads with the rotation; for
-  /// the forces of the last sum.
-  void add_stiffness(double t, const BlockPattern& pattern, double* values) const;
+  /// the forces of the last sum, inertial ones times their weight.
+  void add_stiffness(double t, double inertia_weight, const BlockPattern& pattern,
+                     double* values) const;
+
+  // --- dynamics ---
+
+  /// The bodies have mass from now on and start to move as they say, from where they stand.
+  void start(const TimeIntegration& rule);
+  /// Adds accelerations x (translation and rotation rows) at the start. Collective.
+  void accelerate(const Vector& x);
+  /// Trial state of the last move() after a step dt >= 0.
+  void move_masses(double dt);
+  void add_inertia(double* residual) const;
+  /// Adds weight times the derivative of add_inertia.
+  void add_inertia_tangent(double weight, const BlockPattern& pattern, double* values) const;
+  /// Writes the linear part of the nodes' rates (N,3) for rates x of the unknowns. Collective.
+  void put_rates(const Vector& x, double* rates) const;
+  /// (bodies) empty without dynamics; the same on all ranks.
+  std::vector<RigidBodyMotion> motions() const;
 
   /// After sum_forces at t. others: (bodies,6) further internal forces and moments about centers.
   std::vector<RigidBodyState> states(double t, const std::vector<double>& others) const;
 
 private:
+  void add_block(const BlockPattern& pattern, std::size_t body, int row, int column, double scale,
+                 const Mat3& k, double* values) const;
   Vec3 load(std::size_t body, bool moment, double t) const;
   bool is_held(std::size_t body, std::size_t component, double t) const;
 
@@ -96,6 +117,7 @@ private:
   std::vector<Vec3> accepted_vector_;   ///< rotation vector of the above, whole turns counted
   std::vector<Vec3> accepted_unknowns_; ///< of rotation [length]
   std::vector<Placement> placements_;
+  std::vector<RigidInertia> inertia_;              ///< empty without dynamics
   std::vector<double> arm_, lever_, turn_, force_; ///< RigidScatter's
   const BlockPattern* pattern_ = nullptr;
 };

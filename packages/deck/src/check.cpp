@@ -5,6 +5,7 @@
 #include "abut/deck/deck.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -81,6 +82,7 @@ private:
                "block '" + block + "' already belongs to body '" + other->second + "'");
       }
       moves = moves || !body.rigid || body.motion.has_unknowns();
+      dynamics(path, body);
       if (body.rigid)
         rigid(path + ".rigid", body.motion);
       else
@@ -89,6 +91,42 @@ private:
     if (!moves)
       fail("bodies", "the motion of all bodies is prescribed; expected one with a material, or a "
                      "rigid one with components that are 'free'");
+  }
+
+  /// A body that moves by inertia has mass, and only then an initial velocity of its own.
+  void dynamics(const std::string& path, const solid::BodyOptions& body) const {
+    constexpr std::array<double, 3> none{};
+    const bool moves = body.initial_velocity != none || body.initial_angular_velocity != none;
+    const char* key =
+        body.initial_velocity != none ? ".initial_velocity" : ".initial_angular_velocity";
+    if (!deck_.dynamics.active) {
+      if (moves)
+        fail(path + key,
+             "the deck has no key 'dynamics': without inertia a velocity means nothing");
+      return;
+    }
+    if (!body.rigid) {
+      for (const auto& material : deck_.materials)
+        if (material.name == body.material && !material.density)
+          fail("materials." + material.name,
+               "missing key 'density', which dynamics needs (mass per reference volume)");
+      return;
+    }
+    const solid::RigidMotion& motion = body.motion;
+    const std::string rigid = path + ".rigid";
+    if (motion.density && body.blocks.empty())
+      fail(rigid + ".density", "the body has no blocks; give 'mass'");
+    if (motion.has_unknowns() && !motion.density && !motion.mass)
+      fail(rigid, "missing key 'density' or 'mass', which dynamics needs of a body that is free");
+    for (std::size_t i = 0; motion.mass && i < 3; ++i)
+      if (motion.free[3 + i] && !(motion.moments_of_inertia[i] > 0.0))
+        fail(rigid + ".moments_of_inertia",
+             "the rotation is free: expected numbers > 0 beside 'mass'");
+    for (std::size_t i = 0; i < 3; ++i)
+      if ((body.initial_velocity[i] != 0.0 && !motion.free[i]) ||
+          (body.initial_angular_velocity[i] != 0.0 && !motion.free[3 + i]))
+        fail(path + key, std::string("component ") + "xyz"[i] +
+                             " is prescribed, and starts with the slope of its curve");
   }
 
   void rigid(const std::string& path, const solid::RigidMotion& motion) const {
@@ -117,6 +155,8 @@ private:
     for (const std::string& word : joint.bodies)
       if (word != solid::JointOptions::ground || has_body(word))
         rigid_body(path + ".bodies", word);
+    if (deck_.dynamics.active && joint.kind != solid::JointKind::spring)
+      fail(path + ".kind", "of all joints only springs go with 'dynamics'");
     if (deck_.linear.method == solver::LinearMethod::krylov &&
         joint.kind != solid::JointKind::spring)
       fail("linear_solver.method", "joints need a direct solver: automatic or direct");

@@ -70,6 +70,8 @@ template <class V> void describe(V& v, solid::MaterialOptions& o) {
     v.required("bulk", o.bulk, "K of K/2 (ln J)^2, a thousand times G for rubber",
                positive("pressure"));
   });
+  v.optional("density", o.density, "mass per reference volume, for dynamics",
+             positive("mass/length^3"));
 }
 
 constexpr const char* rigid_components[] = {"x", "y", "z", "rx", "ry", "rz"};
@@ -127,6 +129,13 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
             for (std::size_t i = 0; i < 6; ++i)
               w.optional(components[i], o.load_curves[i], "factor over the load parameter");
           });
+  v.optional("density", o.density, "of its blocks, for dynamics", positive("mass/length^3"));
+  v.optional("mass", o.mass, "at the center, instead of density", positive("mass"));
+  v.optional("moments_of_inertia", o.moments_of_inertia,
+             "about axes x, y, z through the center, beside mass", unit("mass length^2"));
+  v.optional("products_of_inertia", o.products_of_inertia,
+             "minus the integrals of xy, yz, zx over the mass", unit("mass length^2"));
+  v.check("mass", !o.mass || !o.density, "only one of the keys mass, density is allowed");
 
   for (std::size_t i = 0; i < 6; ++i)
     o.free[i] = std::find(free.begin(), free.end(), components[i]) != free.end();
@@ -226,6 +235,11 @@ template <class V> void describe(V& v, solid::BodyOptions& o) {
     v.group("rigid", "nodes that move as one, and how they move; {} stands still",
             [&](auto& w) { describe(w, o.motion); });
   });
+  v.optional("initial_velocity", o.initial_velocity, "for dynamics; of a rigid body, of its center",
+             unit("length/time"));
+  v.optional("initial_angular_velocity", o.initial_angular_velocity,
+             "for dynamics, about its center of mass; of a rigid body, about its center",
+             unit("rad/time"));
   v.check("node_sets", o.rigid || o.node_sets.empty(),
           "only a rigid body takes nodes; a deformable one consists of blocks");
 }
@@ -430,6 +444,21 @@ template <class V> void describe(V& v, solver::TimeOptions& o) {
              "Newton iterations of a step that keeps its size", at_least(1.0, "1"));
 }
 
+template <class V> void describe(V& v, solver::DynamicsOptions& o) {
+  v.optional("spectral_radius", o.spectral_radius,
+             "what a step leaves of vibrations too fast for it; 1: all of them, the trapezoidal "
+             "rule; below 1: generalised-alpha",
+             Rule{0.0, 1.0, false, "1", ""});
+  v.optional("beta", o.beta, "Newmark's, instead of spectral_radius", positive("1"));
+  v.optional("gamma", o.gamma, "Newmark's, at least 0.5 and at most 2 beta",
+             Rule{0.5, 1.0, false, "1", ""});
+  for (const char* key : {"beta", "gamma"})
+    v.check(key, o.spectral_radius == 1.0 || !(key[0] == 'b' ? o.beta : o.gamma),
+            "spectral_radius below 1 gives beta and gamma");
+  v.check(o.beta ? "beta" : "gamma", 2.0 * o.beta.value_or(0.25) >= o.gamma.value_or(0.5),
+          "steps of any length are stable with 2 beta >= gamma >= 0.5");
+}
+
 template <class V> void describe(V& v, solver::NewtonOptions& o) {
   using solver::LineSearch;
   v.optional("tolerance", o.tolerance, "residual over reference force", positive("1"));
@@ -565,6 +594,10 @@ template <class V> void describe(V& v, Deck& o) {
               "factors over the load parameter, linear between points, constant beyond the ends");
   v.named_map("contact", o.contact, "contact interfaces");
   section("time", o.time, "load steps");
+  v.optional_group("dynamics", o.dynamics.active,
+                   "inertia, t being the time; {} is the trapezoidal rule; without this key the "
+                   "scene is quasi-static",
+                   [&](auto& w) { describe(w, o.dynamics); });
   section("newton", o.newton, "nonlinear solves");
   section("linear_solver", o.linear, "linear solves");
   section("output", o.output, "results on disk");

@@ -67,6 +67,10 @@ public:
     Documenter child(add(Field::Kind::group, key, "map", doc));
     describe_fields(child);
   }
+  template <class F>
+  void optional_group(const char* key, bool, const char* doc, F describe_fields) {
+    group(key, doc, describe_fields);
+  }
   template <class F> void required_group(const char* key, const char* doc, F describe_fields) {
     group(key, doc, describe_fields);
     map_.fields.back().required = true;

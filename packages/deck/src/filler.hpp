@@ -71,6 +71,13 @@ public:
     child.finish();
   }
 
+  /// A group whose presence means something by itself.
+  template <class F>
+  void optional_group(const char* key, bool& present, const char* doc, F describe_fields) {
+    present = map_.find(key) != nullptr;
+    group(key, doc, describe_fields);
+  }
+
   template <class F> void required_group(const char* key, const char* doc, F describe_fields) {
     if (!map_.find(key))
       missing(key, doc);

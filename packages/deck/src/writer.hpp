@@ -58,6 +58,11 @@ public:
   template <class F> void group(const char* key, const char*, F describe_fields) {
     map(key, [&](Writer& child) { describe_fields(child); });
   }
+  template <class F>
+  void optional_group(const char* key, bool present, const char* doc, F describe_fields) {
+    if (present)
+      group(key, doc, describe_fields);
+  }
   template <class F> void required_group(const char* key, const char* doc, F describe_fields) {
     group(key, doc, describe_fields);
   }

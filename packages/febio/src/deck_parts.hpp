@@ -73,7 +73,9 @@ struct RigidBody {
   bool follower = false;                      ///< of its loads
   Vec3 center = Vec3::zero();
   bool is_jointed = false;
-  std::string deck_name; ///< once the deck's bodies are written
+  std::string deck_name;                    ///< once the deck's bodies are written
+  double density = 0.0;                     ///< of its domains, where it moves by inertia
+  std::array<double, 3> velocity{}, spin{}; ///< at the start
 
   /// Whether all it does is to prescribe displacements of nodes; the deck then has no body for it.
   bool is_displacement() const {

@@ -82,7 +82,7 @@ public:
     out += loads_part + curves_.text() + contact_part;
     out += "time: {end: " + number_text(model_.end()) +
            ", steps: " + std::to_string(step_count(model_, report_)) + "}\n";
-    out += newton();
+    out += dynamics() + newton();
     return out + "output: {name: " + quoted(name + "_results") + "}\n";
   }
 
@@ -106,7 +106,44 @@ private:
     return "newton: " + map.text() + "  # FEBio: dtol, etol\n";
   }
 
-  static std::string law(const Material& m) {
+  std::string dynamics() {
+    for (const InitialVelocity& v : model_.initial_velocities)
+      if (!model_.is_dynamic())
+        report_.add({v.line, "initial velocity '" + v.name + "'", Fate::ignored,
+                     "the analysis is STATIC: a velocity means nothing"});
+    if (!model_.is_dynamic())
+      return "";
+    const Inertia& inertia = model_.steps[0].inertia;
+    FlowMap map;
+    if (inertia.spectral_radius != 1.0)
+      map.add("spectral_radius", inertia.spectral_radius);
+    if (inertia.beta != 0.25)
+      map.add("beta", inertia.beta);
+    if (inertia.gamma != 0.5)
+      map.add("gamma", inertia.gamma);
+    return "dynamics: " + map.text() + "\n";
+  }
+
+  /// Velocity at the start of a deformable domain, all of whose nodes have the same.
+  std::array<double, 3> initial_velocity(const Domain& domain) {
+    std::array<double, 3> result{};
+    for (const InitialVelocity& v : model_.initial_velocities) {
+      if (v.place.empty() || !model_.is_dynamic())
+        continue;
+      const std::vector<Global> list = mesh_.nodes_of(v.place, v.line);
+      const std::set<Global> nodes(list.begin(), list.end());
+      const auto has = [&](Global id) { return nodes.count(id) > 0; };
+      if (std::all_of(domain.nodes.begin(), domain.nodes.end(), has))
+        result = v.value;
+      else if (std::any_of(domain.nodes.begin(), domain.nodes.end(), has))
+        report_.add({v.line, "Initial/ic '" + v.name + "'", Fate::refused,
+                     "it holds for some nodes of <Elements> '" + domain.name +
+                         "': abut takes one velocity for all of a body"});
+    }
+    return result;
+  }
+
+  std::string law(const Material& m) const {
     FlowMap map;
     const auto& x = m.numbers;
     if (m.type == "Mooney-Rivlin") {
@@ -139,6 +176,8 @@ private:
       if (m.type == "Holmes-Mow")
         map.add("beta", x.at("beta"));
     }
+    if (model_.is_dynamic())
+      map.add("density", x.at("density"));
     return map.text();
   }
 
@@ -170,6 +209,7 @@ private:
       FlowMap map;
       map.add("blocks", list_text({quoted(d.name)}));
       map.add("material", material_name_.at(d.material));
+      add_vector(map, "initial_velocity", initial_velocity(d));
       out += "  " + name + ": " + map.text() + "\n";
     }
     for (RigidBody& body : rigid_.bodies) {
@@ -183,6 +223,10 @@ private:
       const FlowMap map = motion(body);
       const std::string held = holds(body);
       out += held.empty() ? " " + map.text() + "\n" : "\n" + map.lines("      ") + held;
+      if (body.velocity != std::array<double, 3>{})
+        out += "    initial_velocity: " + vector_text(body.velocity) + "\n";
+      if (body.spin != std::array<double, 3>{})
+        out += "    initial_angular_velocity: " + vector_text(body.spin) + "\n";
     }
     return "bodies:\n" + out;
   }
@@ -195,6 +239,12 @@ private:
       sets.push_back(quoted(set));
     return (blocks.empty() ? "" : "    blocks: " + list_text(blocks) + "\n") +
            (sets.empty() ? "" : "    node_sets: " + list_text(sets) + "\n");
+  }
+
+  /// Unless it is zero.
+  static void add_vector(FlowMap& map, const char* key, const std::array<double, 3>& v) {
+    if (v != std::array<double, 3>{})
+      map.add(key, vector_text(v));
   }
 
   /// What holds free components for a time.
@@ -250,8 +300,7 @@ private:
       return std::array<double, 3>{a[first].number, a[first + 1].number, a[first + 2].number};
     };
     const auto add = [&](const char* key, const std::array<double, 3>& v) {
-      if (v != std::array<double, 3>{})
-        map.add(key, vector_text(v));
+      add_vector(map, key, v);
     };
     const std::array<Timed, 6> motion = timed(body.motion);
     add("displacement", part(motion, 0));
@@ -270,6 +319,8 @@ private:
     add_curves(map, load, "load_curve");
     if (body.is_loaded() && body.follower)
       map.add("follower", "true");
+    if (body.density > 0.0)
+      map.add("density", body.density);
     return map;
   }
 

@@ -17,10 +17,32 @@ void read_time_stepper(Element stepper, Step& step) {
                  "abut has its own rule for the size of steps");
 }
 
+/// The rule of a dynamic analysis: rhoi between 0 and 1 is generalised alpha, -1 the trapezoidal
+/// rule, all else Newmark's with beta and gamma (and alpha, of which abut has 1).
+void read_rule(Element solver, Inertia& inertia) {
+  const double rhoi = solver.number_or("rhoi", -2.0), alpha = solver.number_or("alpha", 1.0);
+  const double beta = solver.number_or("beta", 0.25), gamma = solver.number_or("gamma", 0.5);
+  if (rhoi >= 0.0 && rhoi <= 1.0) {
+    inertia.spectral_radius = rhoi;
+    return;
+  }
+  if (rhoi == -1.0)
+    return;
+  if (alpha != 1.0)
+    solver.required_child("alpha").refuse(
+        "abut has alpha 1; a rhoi between 0 and 1 gives generalised alpha");
+  if (!(gamma >= 0.5 && gamma <= 1.0 && 2.0 * beta >= gamma))
+    solver.refuse("abut takes beta and gamma of stable rules, 2 beta >= gamma >= 0.5");
+  inertia.beta = beta;
+  inertia.gamma = gamma;
+}
+
 void read_solver(Element solver, Step& step) {
   solver.attribute("type");
   step.displacement_tolerance = solver.number_or("dtol", step.displacement_tolerance);
   step.energy_tolerance = solver.number_or("etol", step.energy_tolerance);
+  if (step.inertia.active)
+    read_rule(solver, step.inertia);
   solver.ignore_rest("abut has its own Newton method");
 }
 
@@ -33,8 +55,11 @@ void read_control(Element section, Model& model) {
     std::string type = analysis->text();
     std::transform(type.begin(), type.end(), type.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    if (type != "STATIC" && type != "0")
-      analysis->refuse("'" + type + "': abut is static; set STATIC when inertia does not matter");
+    step.inertia.active = type == "DYNAMIC" || type == "1";
+    if (!step.inertia.active && type != "STATIC" && type != "0")
+      analysis->refuse("'" + type + "': abut has STATIC and DYNAMIC");
+    if (!model.steps.empty() && step.inertia.active != model.is_dynamic())
+      analysis->refuse("some steps are DYNAMIC and some are not: abut has one kind of analysis");
   }
   step.count = section.whole_or("time_steps", step.count);
   if (step.count < 1)
@@ -46,6 +71,8 @@ void read_control(Element section, Model& model) {
     read_time_stepper(*stepper, step);
   if (auto solver = section.child("solver"))
     read_solver(*solver, step);
+  if (step.inertia.active && model.is_dynamic() && !(step.inertia == model.steps[0].inertia))
+    section.refuse("another rule of time integration than in the first step: abut has one");
   section.ignore({"plot_zero_state", "plot_range", "plot_level", "output_level", "plot_stride",
                   "output_stride", "adaptor_re_solve", "title"},
                  "abut writes every converged step");

@@ -3,6 +3,8 @@
 #include "readers.hpp"
 #include "yaml_text.hpp"
 
+#include <algorithm>
+
 namespace abut::febio {
 
 namespace {
@@ -17,7 +19,6 @@ void read_module(Element root) {
 /// Sections that change the answer and that abut has nothing for.
 void refuse_sections(Element parent) {
   const std::pair<const char*, const char*> sections[] = {
-      {"Initial", "abut is static and starts without strain"},
       {"Discrete", "abut has no springs"},
       {"MeshData", "abut has no data that vary from element to element"},
       {"MeshAdaptor", "abut keeps its mesh"}};
@@ -25,6 +26,24 @@ void refuse_sections(Element parent) {
     for (Element section : parent.children(name))
       if (!section.children().empty())
         section.refuse(why);
+}
+
+/// Velocities at the start.
+void read_initial(Element section, Model& model) {
+  for (Element ic : section.children("ic")) {
+    const std::string type = ic.required_attribute("type");
+    if (type != "velocity" && type != "initial velocity") {
+      ic.refuse("type '" + type + "': abut has velocity");
+      continue;
+    }
+    InitialVelocity v;
+    v.name = ic.attribute_or("name", "");
+    v.place = ic.required_attribute("node_set");
+    v.line = ic.line();
+    const std::vector<double> value = ic.required_child("value").numbers(3);
+    std::copy(value.begin(), value.end(), v.value.begin());
+    model.initial_velocities.push_back(v);
+  }
 }
 
 /// Sections that may also stand in a step, but for Control.
@@ -105,7 +124,12 @@ void read_steps(Element root, Model& model) {
       read_control(*own, model);
     else if (!control || steps.size() > 1)
       steps[i].fail("expected an element <Control> in it");
+    const std::size_t velocities = model.initial_velocities.size();
     StepReader(model).read(steps[i], static_cast<int>(i));
+    if (const auto initial = steps[i].child("Initial"))
+      read_initial(*initial, model);
+    if (i > 0 && model.initial_velocities.size() > velocities)
+      steps[i].refuse("abut has velocities at the start of the run, not of a later step");
     read_walls(steps[i], model, static_cast<int>(i));
   }
   if (model.steps.empty())
@@ -154,6 +178,8 @@ Model read_model(const std::string& text, const std::string& file, Report& repor
   if (auto section = root.child("LoadData"))
     read_load_data(*section, model);
   read_physics(root, model);
+  if (const auto section = root.child("Initial"))
+    read_initial(*section, model);
   forget_relative(model);
   read_walls(root, model, -1);
   read_steps(root, model);

@@ -63,6 +63,17 @@ void read_load(Element load, const std::string& type, Model& model) {
   model.rigid_loads.push_back(r);
 }
 
+void read_rigid_velocity(Element ic, bool turns, Model& model) {
+  InitialVelocity v;
+  v.body = rigid_body(ic, model);
+  v.name = ic.attribute_or("name", "");
+  v.line = ic.line();
+  v.turns = turns;
+  const std::vector<double> value = ic.required_child("value").numbers(3);
+  std::copy(value.begin(), value.end(), v.value.begin());
+  model.initial_velocities.push_back(v);
+}
+
 } // namespace
 
 std::string read_rigid_body(Element parent, const char* key, const Model& model) {
@@ -85,6 +96,14 @@ void read_rigid(Element section, Model& model) {
       read_prescribed(bc, type == "rigid_rotation", model);
     else
       bc.refuse("type '" + type + "': abut has rigid_fixed, rigid_displacement, rigid_rotation");
+  }
+  for (Element ic : section.children("rigid_ic")) {
+    const std::string type = ic.required_attribute("type");
+    if (type == "initial_rigid_velocity" || type == "initial_rigid_angular_velocity")
+      read_rigid_velocity(ic, type == "initial_rigid_angular_velocity", model);
+    else
+      ic.refuse("type '" + type +
+                "': abut has initial_rigid_velocity and initial_rigid_angular_velocity");
   }
   for (Element load : section.children("rigid_load")) {
     const std::string type = load.required_attribute("type");

@@ -35,10 +35,19 @@ public:
       for (const std::string& material : c.bodies)
         if (RigidBody* body = find(material))
           body->is_jointed = true;
-    check_body_loads();
-    for (RigidBody& body : result_.bodies)
-      if (body.turns() || body.is_loaded())
+    for (const Load& l : model_.loads)
+      if (l.kind == Load::Kind::body_force)
+        for (RigidBody& body : result_.bodies)
+          weight(l, body);
+    for (RigidBody& body : result_.bodies) {
+      const bool moves = model_.is_dynamic() && is_free(body);
+      if (body.turns() || body.is_loaded() || moves)
         body.center = center(body);
+      if (moves)
+        inertia(body);
+    }
+    for (const InitialVelocity& v : model_.initial_velocities)
+      velocity(v);
     return std::move(result_);
   }
 
@@ -206,42 +215,86 @@ private:
                    "another load acts on this component: give their sum"});
   }
 
-  bool acts_on(const Load& load, const RigidBody& body) const {
-    return std::any_of(body.domains.begin(), body.domains.end(), [&](std::size_t d) {
-      return load.place.empty() || load.place == model_.mesh.domains[d].name;
-    });
+  static bool is_free(const RigidBody& body) {
+    return std::find(body.free.begin(), body.free.end(), true) != body.free.end();
   }
 
-  void check_body_loads() {
-    for (const Load& l : model_.loads)
-      for (std::size_t i = 0; i < 3; ++i)
-        for (const RigidBody& body : result_.bodies)
-          if (l.kind == Load::Kind::body_force && body.free[i] && !l.vector[i].is_zero() &&
-              acts_on(l, body))
-            report_.add({l.line, "Loads/body_load '" + l.name + "'", Fate::refused,
-                         "rigid body '" + body.materials[0] +
-                             "' is free to fall: give its weight as a rigid_force"});
+  double mass(std::size_t domain) const {
+    return mesh_.bulk(domain).volume *
+           model_.material(model_.mesh.domains[domain].material)->numbers.at("density");
+  }
+
+  /// A body force on a rigid body is a force on its center: minus the mass times what is given.
+  void weight(const Load& l, RigidBody& body) {
+    double mass_of_all = 0.0;
+    for (const std::size_t d : body.domains)
+      if (l.place.empty() || l.place == model_.mesh.domains[d].name)
+        mass_of_all += mass(d);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!body.free[i] || l.vector[i].is_zero() || mass_of_all == 0.0)
+        continue;
+      Value force = l.vector[i];
+      force.number = rounded(-mass_of_all * force.number, 12);
+      if (!add(body.load[i], force, l.step))
+        report_.add({l.line, "Loads/body_load '" + l.name + "'", Fate::refused,
+                     "another load acts on rigid body '" + body.materials[0] +
+                         "': give their sum as a rigid_force"});
+    }
+  }
+
+  Vec3 centroid(const RigidBody& body) const {
+    double all = 0.0;
+    Vec3 moment = Vec3::zero();
+    for (const std::size_t d : body.domains) {
+      all += mass(d);
+      moment += mass(d) * mesh_.bulk(d).centroid;
+    }
+    if (!(all > 0.0))
+      return Vec3::zero();
+    Vec3 center = 1.0 / all * moment;
+    const double noise = 1e-12 * norm(center);
+    for (double& x : center.v)
+      x = std::abs(x) > noise ? rounded(x, 12) : 0.0; // the digits that are known
+    return center;
   }
 
   Vec3 center(const RigidBody& body) const {
     for (const std::string& name : body.materials)
       if (const auto& given = model_.material(name)->center_of_mass)
         return *given;
-    double mass = 0.0;
-    Vec3 moment = Vec3::zero();
+    return centroid(body);
+  }
+
+  void inertia(RigidBody& body) {
+    const int line = model_.material(body.materials[0])->line;
+    const std::string where = "Material/material '" + body.materials[0] + "'";
     for (const std::size_t d : body.domains) {
-      const double part = mesh_.bulk(d).volume *
-                          model_.material(model_.mesh.domains[d].material)->numbers.at("density");
-      mass += part;
-      moment += part * mesh_.bulk(d).centroid;
+      const double density =
+          model_.material(model_.mesh.domains[d].material)->numbers.at("density");
+      if (body.density != 0.0 && density != body.density)
+        report_.add({line, where, Fate::refused,
+                     "rigid bodies that are one have different densities: abut has one a body"});
+      body.density = density;
     }
-    if (!(mass > 0.0))
-      return Vec3::zero();
-    Vec3 center = 1.0 / mass * moment;
-    const double noise = 1e-12 * norm(center);
-    for (double& x : center.v)
-      x = std::abs(x) > noise ? rounded(x, 12) : 0.0; // the digits that are known
-    return center;
+    if (!(body.density > 0.0))
+      report_.add({line, where, Fate::refused,
+                   "the rigid body is free and has no mass: give it elements and a density"});
+    const Vec3 off = body.center - centroid(body);
+    if (body.turns() && norm(off) > 1e-6 * (norm(body.center) + norm(off)))
+      report_.add({line, where, Fate::refused,
+                   "center_of_mass is not that of the elements, which abut takes for inertia"});
+  }
+
+  void velocity(const InitialVelocity& v) {
+    if (v.body.empty() || !model_.is_dynamic())
+      return;
+    RigidBody* body = find(v.body);
+    if (!body)
+      return without_nodes(v.line, v.name);
+    auto& value = v.turns ? body->spin : body->velocity;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (body->free[i + (v.turns ? 3 : 0)])
+        value[i] = v.value[i];
   }
 
   const Model& model_;

@@ -3,6 +3,7 @@
 #include "abut/assembly/rotation.hpp"
 #include "abut/core/trilinos.hpp"
 #include "abut/mesh/generate.hpp"
+#include "abut/solid/inertia_contribution.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
 #include <gtest/gtest.h>
@@ -135,7 +136,111 @@ Vector turned_twice(Scene& scene) {
   return scene.unknowns(q, shift, 0.02, more);
 }
 
+/// Gives the bodies mass and lets everything move from the first turn on.
+std::shared_ptr<solid::InertiaContribution> set_in_motion(Scene& scene, double radius) {
+  const auto rule = TimeIntegration::with_spectral_radius(radius);
+  std::vector<solid::Lead> lead;
+  for (const int b : scene.body_of_node)
+    lead.insert(lead.end(), 3, b >= 0 ? solid::Lead::rigid : solid::Lead::free);
+  for (std::size_t b = 0; b < bodies; ++b) {
+    RigidBody& body = scene.body[b];
+    body.mass.mass = 1.5;
+    body.mass.arm = {{0.2, -0.1, 0.15}};
+    for (int i = 0; i < 3; ++i)
+      body.mass.inertia[i][i] = 0.4 + 0.1 * i;
+    if (b < 2) {
+      body.velocity = {{b == 0 ? 0.3 : 0.0, 0.2, -0.1}};
+      body.spin = {{0.5, -0.4, 0.6}};
+    }
+  }
+  scene.system->set_rigid_bodies(scene.body);
+  const auto inertia = std::make_shared<solid::InertiaContribution>(
+      scene.mesh, std::vector<solid::BlockDensity>{{0, 1.7}}, rule, lead);
+  scene.system->add(inertia);
+  const Vec3 once[bodies] = {first_turn, first_turn, first_turn};
+  const Vector x = scene.unknowns(assembly::rotation(first_turn), shift, 0.0, once);
+  Vector f(x.getMap());
+  scene.system->set_time(0.0);
+  inertia->motion().start(0.0, scene.system->nodal_values(x),
+                          std::vector<double>(lead.size(), 0.2));
+  scene.system->start_motion(rule, x, f);
+  scene.system->accelerate(x, f); // some accelerations
+  return inertia;
+}
+
 } // namespace
+
+// As for forces without inertia below; the time step enters with a step accepted before.
+TEST(RigidBody, TangentWithInertia) {
+  for (const double radius : {1.0, 0.5}) {
+    Scene scene(Comm(MPI_COMM_WORLD));
+    set_in_motion(scene, radius);
+    const Vector x = turned_twice(scene);
+    scene.system->set_time(1.2);
+    const auto map = scene.system->dofs().map();
+    const Vec3 turns[bodies] = {{{1.0, -0.5, 0.7}}, {{0.4, 0.8, -0.3}}, {{0.0, 0.0, 0.0}}};
+    Vector v = scene.unknowns(Mat3::identity(), Vec3::zero(), 1.0, turns);
+    const Global row = scene.system->dofs().row_of_body(1) - scene.system->dofs().first_row();
+    if (row >= 0 && row < scene.system->dofs().num_rows()) // the constrained component
+      v.getLocalViewHost(Tpetra::Access::ReadWrite)(3 * std::size_t(row), 0) = 0.0;
+    Vector product(map), plus(map), minus(map), y(map);
+    scene.system->tangent(x)->apply(v, product);
+    const double h = 1e-5;
+    y.update(1.0, x, h, v, 0.0);
+    scene.system->residual(y, plus);
+    y.update(1.0, x, -h, v, 0.0);
+    scene.system->residual(y, minus);
+    plus.update(-0.5 / h, minus, 0.5 / h);
+    EXPECT_GT(product.norm2(), 10.0);
+    EXPECT_LT(difference(product, plus), 1e-8 * product.norm2()) << radius;
+  }
+}
+
+// Where no time goes by the state stands, and the tangent is the mass.
+TEST(RigidBody, MassAndRejectedSteps) {
+  Scene scene(Comm(MPI_COMM_WORLD));
+  const auto inertia = set_in_motion(scene, 0.5);
+  const Vec3 once[bodies] = {first_turn, first_turn, first_turn};
+  const Vector x = scene.unknowns(assembly::rotation(first_turn), shift, 0.0, once);
+  Vector before(x.getMap()), between(x.getMap()), after(x.getMap());
+  scene.system->set_time(0.5);
+  scene.system->residual(x, before);
+  const std::vector<double> a = inertia->motion().acceleration();
+  scene.system->set_time(0.25); // a step that is cut
+  scene.system->residual(x, between);
+  EXPECT_GT(difference(before, between), 1.0);
+  scene.system->reject();
+  scene.system->set_time(0.5);
+  scene.system->residual(x, after);
+  EXPECT_EQ(difference(before, after), 0.0);
+  EXPECT_EQ(inertia->motion().acceleration(), a);
+  scene.system->accept(x);
+  scene.system->residual(x, between);
+  EXPECT_EQ(inertia->motion().acceleration(), a);
+  // The mass of the whole body answers a uniform acceleration, less what is prescribed.
+  Vector uniform(x.getMap()), force(x.getMap());
+  const assembly::DofMap& dofs = scene.system->dofs();
+  {
+    const auto view = uniform.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (Local r = 0; r < dofs.num_rows(); ++r) // along y: nodes and translations of bodies
+      view(3 * std::size_t(r) + 1, 0) = r < dofs.num_node_rows() ? 1.0 : 0.0;
+    for (int b = 0; b < 2; ++b) {
+      const Global row = dofs.row_of_body(b) - dofs.first_row();
+      if (row >= 0 && row < dofs.num_rows())
+        view(3 * std::size_t(row) + 1, 0) = 1.0;
+    }
+  }
+  scene.system->mass(x)->apply(uniform, force);
+  // Kinetic energy of that motion, twice, from the nodes and the bodies by themselves.
+  const std::vector<double> nodal = scene.system->nodal_rates(uniform);
+  double expected = 0.0;
+  solid::InertiaContribution alone(scene.mesh, {{0, 1.7}}, TimeIntegration(),
+                                   std::vector<solid::Lead>(nodal.size(), solid::Lead::free));
+  alone.motion().start(0.0, std::vector<double>(nodal.size(), 0.0), nodal);
+  const std::vector<double> still(nodal.size(), 0.0);
+  expected = scene.mesh.comm.sum(2.0 * alone.momentum({still.data(), 3, 0.0}).kinetic_energy);
+  EXPECT_NEAR(uniform.dot(force), expected + 2 * 1.5, 1e-12);
+}
 
 TEST(RigidBody, NodesFollowTheirBody) {
   Scene scene(Comm(MPI_COMM_WORLD));

@@ -191,6 +191,40 @@ TEST(Deck, GeneratorKeysKeepTheirPlace) {
   EXPECT_EQ(to_yaml(parse_deck(to_yaml(d), "a.yaml")), to_yaml(d));
 }
 
+TEST(Deck, DynamicsIsThereOrNot) {
+  const std::string still = R"(
+mesh: {file: m.exo}
+materials: {steel: {young: 1, poisson: 0.3, density: 2}}
+bodies:
+  block: {blocks: [a], material: steel}
+  cap: {node_sets: [b], rigid: {}}
+)";
+  const Deck statics = parse_deck(still, "a.yaml");
+  EXPECT_FALSE(statics.dynamics.active);
+  EXPECT_EQ(to_yaml(statics).find("dynamics"), std::string::npos);
+  EXPECT_EQ(statics.materials[0].density, 2.0);
+  EXPECT_TRUE(parse_deck(still + "dynamics: {}\n", "a.yaml").dynamics.active);
+  const Deck moves = parse_deck(R"(
+mesh: {file: m.exo}
+materials: {steel: {young: 1, poisson: 0.3, density: 2}}
+bodies:
+  block: {blocks: [a], material: steel, initial_velocity: [1, 2, 3]}
+  cap:
+    node_sets: [b]
+    rigid: {free: [x, rx], mass: 3, moments_of_inertia: [1, 2, 3], products_of_inertia: [0, 0.1, 0]}
+    initial_angular_velocity: [0.5, 0, 0]
+dynamics: {beta: 0.3, gamma: 0.6}
+)",
+                                "a.yaml");
+  EXPECT_EQ(moves.dynamics.rule().beta, 0.3);
+  EXPECT_EQ(moves.dynamics.rule().gamma, 0.6);
+  const Deck again = parse_deck(to_yaml(moves), "a.yaml");
+  EXPECT_EQ(to_yaml(again), to_yaml(moves));
+  EXPECT_EQ(again.bodies[1].motion.mass, 3.0);
+  EXPECT_EQ(again.bodies[1].motion.products_of_inertia[1], 0.1);
+  EXPECT_EQ(again.bodies[1].initial_angular_velocity[0], 0.5);
+}
+
 TEST(Deck, WhereFallsBackToTheEnclosingKey) {
   const Deck d = parse_deck(yaml_scene, "ball.yaml");
   EXPECT_EQ(d.where("contact.ball_on_floor.primary"),

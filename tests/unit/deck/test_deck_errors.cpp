@@ -65,11 +65,10 @@ TEST_P(DeckErrors, NameFileLineKeyAndWhatWasExpected) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, DeckErrors,
     testing::Values(
-        Case{
-            6, "contct:",
-            "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, joints, "
-            "displacements, loads, curves, contact, time, newton, linear_solver, output, trilinos, "
-            "check, verify; did you mean 'contact'?"},
+        Case{6, "contct:",
+             "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, joints, "
+             "displacements, loads, curves, contact, time, dynamics, newton, linear_solver, "
+             "output, trilinos, check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
@@ -233,9 +232,9 @@ TEST(DeckErrors, MaterialsHaveTheKeysOfTheirModel) {
   EXPECT_EQ(error("model: mooney_rivlin, c1: 1"),
             at + ": missing key 'bulk' (K of K/2 (ln J)^2, a thousand times G for rubber)");
   EXPECT_EQ(error("model: mooney_rivlin, c1: 1, bulk: 1000, young: 1"),
-            at + ".young: unknown key; valid: model, c1, c2, bulk");
+            at + ".young: unknown key; valid: model, c1, c2, bulk, density");
   EXPECT_EQ(error("young: 1, poisson: 0.3, c1: 1"),
-            at + ".c1: unknown key; valid: model, young, poisson");
+            at + ".c1: unknown key; valid: model, young, poisson, density");
   EXPECT_EQ(error("model: ogden, coefficients: [1, 2], exponents: [2], bulk: 9"),
             at + ".exponents: expected as many as coefficients, which are 2");
   EXPECT_EQ(error("model: ogden, coefficients: [1, 2], exponents: [2, 0], bulk: 9"),

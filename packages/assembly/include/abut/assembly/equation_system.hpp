@@ -5,10 +5,12 @@
 #include "abut/assembly/rigid_body.hpp"
 #include "abut/assembly/rigid_joint.hpp"
 #include "abut/core/contribution.hpp"
+#include "abut/core/time_integration.hpp"
 #include "abut/core/timers.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,6 +113,23 @@ public:
   void reject();
   const ExternalWork& external_work() const { return external_work_; }
 
+  // --- dynamics: t is the time, and rates of momentum are part of the equations ---
+
+  /// From x at the present time on, bodies with mass move as they say; inertial contributions have
+  /// been added and started. Returns the right-hand side -f of mass() a = -f, the equation of the
+  /// accelerations a; accelerate(a) then completes the start.
+  void start_motion(const TimeIntegration& rule, const Vector& x, Vector& minus_f);
+  /// Derivative of the rates of momentum by the accelerations; constrained rows as in tangent().
+  RCP<const Matrix> mass(const Vector& x);
+  /// Rates of the nodes (N,3) as they follow from rates of the unknowns, but for what is quadratic
+  /// in the velocity of turning bodies.
+  std::vector<double> nodal_rates(const Vector& rates) const;
+  /// Adds the accelerations of rigid bodies; those of inertial contributions have been set.
+  void accelerate(const Vector& x, const Vector& acceleration);
+  bool has_inertia() const { return rule_.has_value(); }
+  /// Of the rigid bodies in the state of the last residual; empty without inertia.
+  std::vector<RigidBodyMotion> rigid_body_motions() const;
+
   /// Each contribution's tangent where the residual was last asked, along a random direction of all
   /// unknowns, against central differences of its residual over +- step [length]. Rows of free
   /// rigid bodies are left out: their arm stiffness belongs to no contribution.
@@ -126,7 +145,12 @@ private:
   };
   void prepare(const Vector& x);
   void update_pattern();
-  void assemble_residual(bool internal, std::vector<double>& buffer);
+  enum class Force { internal, other, inertial };
+  static Force kind(const Contribution& contribution);
+  void assemble_residual(Force which, std::vector<double>& buffer);
+  void measure_forces(const Vector& x, const double (&norms)[3]);
+  void add_motion();
+  void keep_past();
   ResidualScatter residual_scatter(const Part& part, std::vector<double>& buffer);
   std::vector<double> load_residual();
   void add_work(const Vector& x);
@@ -134,7 +158,8 @@ private:
   std::vector<double> tangent_times(std::size_t part, const Vector& d);
   std::vector<double> residual_of(std::size_t part, const Vector& x);
   TangentMismatch compare(std::size_t part, const Vector& x, const Vector& d, double step);
-  void assemble_tangent();
+  void assemble_tangent(bool mass_alone);
+  RCP<const Matrix> make_matrix();
   void scale_joints();
   double add_joint_forces(std::vector<double>& buffer);
   RCP<const Vector> column_values(const Vector& owned) const;
@@ -162,11 +187,16 @@ private:
   bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
   std::vector<double> u_;          ///< (N, fields) of the last prepare
   std::vector<double> raw_values_; ///< owned and shared values, constraints not applied
-  std::vector<double> raw_residual_; ///< owned rows
-  std::vector<double> diagonal_;     ///< owned rows of the last tangent, constraints not applied
-  RCP<Vector> last_;                 ///< where the residual was asked last
+  std::vector<double> raw_residual_;    ///< owned rows
+  std::vector<double> diagonal_;        ///< owned rows of the last tangent, constraints not applied
+  std::optional<TimeIntegration> rule_; ///< none: no inertia
+  double accepted_time_ = 0.0;
+  std::vector<double> forces_, inertia_; ///< the two parts of the last residual, owned rows
+  std::vector<double> past_; ///< what the start of the step adds to the equation, owned rows
+  RCP<Vector> last_;         ///< where the residual was asked last
   WorkState work_state_;
   ExternalWork external_work_;
+  double joint_norm_ = 0.0; ///< squared forces of joints in this rank's rows
   double reference_force_ = 0.0, round_off_force_ = 0.0;
   bool settled_ = true;
   RCP<Matrix> matrix_;

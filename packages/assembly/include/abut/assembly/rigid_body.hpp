@@ -19,6 +19,13 @@ struct RigidHold {
   bool relative = false; ///< the value counts from where the body is before the window
 };
 
+/// How the mass of a rigid body is spread, in the reference configuration.
+struct RigidMass {
+  double mass = 0.0;
+  Vec3 arm = Vec3::zero();     ///< from the body's center to its center of mass [length]
+  Mat3 inertia = Mat3::zero(); ///< moments of inertia about the center of mass [mass length^2]
+};
+
 /// A set of nodes that moves as one: translation of a center and rotation about it. Each of the six
 /// components (translation along x, y, z [length], rotation vector [rad]) is an unknown or follows
 /// a function of the load parameter t. docs/theory/rigid_bodies.md
@@ -33,6 +40,9 @@ struct RigidBody {
   Vec3 moment = Vec3::zero();            ///< about the center [force length]
   std::array<Function, 6> load_factor{}; ///< of components of force and moment; empty: 1
   bool follower = false;                 ///< force and moment turn with the body
+  RigidMass mass;                        ///< for dynamics
+  Vec3 velocity = Vec3::zero();          ///< of the center at the start [length/time]
+  Vec3 spin = Vec3::zero();              ///< angular velocity at the start [rad/time]
 
   bool has_unknowns() const {
     for (const Function& f : prescribed)
@@ -40,6 +50,15 @@ struct RigidBody {
         return true;
     return false;
   }
+};
+
+/// How a body with mass moves.
+struct RigidBodyMotion {
+  Vec3 velocity = Vec3::zero(); ///< of the center [length/time]
+  Vec3 spin = Vec3::zero();     ///< angular velocity [rad/time]
+  double kinetic_energy = 0.0;
+  Vec3 linear_momentum = Vec3::zero();
+  Vec3 angular_momentum = Vec3::zero(); ///< about the origin
 };
 
 /// Where a body is, and what its prescribed components exert on it.

@@ -71,6 +71,10 @@ public:
   /// Whether it holds internal forces of bodies: their size is what residuals are compared with.
   virtual bool internal_force() const { return false; }
 
+  /// Whether it holds rates of momentum, see TimeIntegration. Where no time has gone by since the
+  /// last accepted state, its tangent is the derivative by the acceleration: the mass.
+  virtual bool inertial() const { return false; }
+
   /// Square of the residual norm that rounding of positions makes, of this rank's cells [force^2].
   virtual double round_off_force2() const { return 0.0; }
 

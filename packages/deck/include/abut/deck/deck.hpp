@@ -117,6 +117,7 @@ struct Deck {
   std::vector<Curve> curves;
   std::vector<contact::ContactOptions> contact;
   solver::TimeOptions time;
+  solver::DynamicsOptions dynamics;
   solver::NewtonOptions newton;
   solver::LinearOptions linear;
   io::OutputOptions output;

@@ -183,6 +183,26 @@ struct LoadCurve {
 /// beyond. Jumps take 1e-9 of the time, parabolas sixteen pieces.
 std::vector<std::array<double, 2>> deck_points(const LoadCurve& curve, double end);
 
+/// Velocity at the start, of nodes or of a rigid body.
+struct InitialVelocity {
+  std::string name, place, body; ///< a node set; or a material's name
+  int line = 0;
+  bool turns = false; ///< an angular velocity, of a body
+  std::array<double, 3> value{};
+};
+
+/// How FEBio goes on in time where bodies have inertia. See read_control.
+struct Inertia {
+  bool active = false;        ///< analysis DYNAMIC
+  double spectral_radius = 1; ///< of generalised alpha
+  double beta = 0.25, gamma = 0.5;
+
+  friend bool operator==(const Inertia& a, const Inertia& b) {
+    return a.active == b.active && a.spectral_radius == b.spectral_radius && a.beta == b.beta &&
+           a.gamma == b.gamma;
+  }
+};
+
 /// A part of the time, from the <Control> that stands outside of steps or from one step.
 struct Step {
   int line = 0;
@@ -190,6 +210,7 @@ struct Step {
   double size = 0.1;                                             ///< [time]
   int must_points_curve = 0;                                     ///< id; its points must be hit
   double displacement_tolerance = 1e-3, energy_tolerance = 1e-2; ///< dtol, etol [1]
+  Inertia inertia;
 };
 
 /// What a number does in each step; one value when it is the same in all.
@@ -206,6 +227,7 @@ struct Model {
   std::vector<RigidConnector> connectors;
   std::vector<Load> loads;
   std::vector<Contact> contacts;
+  std::vector<InitialVelocity> initial_velocities;
   std::map<int, LoadCurve> curves; ///< by id
   std::vector<Step> steps;         ///< one after the other
 
@@ -216,6 +238,8 @@ struct Model {
   Window window(std::size_t first, std::size_t last) const {
     return {start(first), last + 1 < steps.size() ? start(last + 1) : 0.0};
   }
+  /// Whether bodies have inertia: the same in all steps.
+  bool is_dynamic() const { return !steps.empty() && steps[0].inertia.active; }
   /// The course of a value that holds in this step alone and else is zero; -1: in all.
   Course course(const Value& value, int step) const;
   /// "FILE:LINE" to begin a message.

@@ -61,6 +61,7 @@ struct MaterialOptions {
   double lambda = 0.0;              ///< of ogden_unconstrained [pressure]
   std::vector<double> coefficients; ///< c of Ogden's terms [pressure]
   std::vector<double> exponents;    ///< m of Ogden's terms, as many, not zero
+  std::optional<double> density;    ///< for dynamics, > 0 [mass/length^3]
 
   bool has_young() const {
     return model == MaterialModel::neo_hookean || model == MaterialModel::linear_elastic ||
@@ -98,18 +99,22 @@ struct RigidHold {
 /// Motion of a rigid body: displacement of its center and rotation vector about it, each times a
 /// curve, but for the components that are free; and loads on the center, for free components.
 struct RigidMotion {
-  std::array<double, 3> displacement{};     ///< [length]
-  std::array<double, 3> rotation{};         ///< rotation vector [rad]
-  std::array<double, 3> center{};           ///< of rotation, reference configuration [length]
-  std::string curve;                        ///< empty: the load parameter itself
-  std::array<std::string, 6> curves{};      ///< of single components; empty: curve
-  std::array<bool, 6> free{};               ///< components that are unknowns: x, y, z, rx, ry, rz
-  std::vector<RigidHold> holds;             ///< of free components
-  std::array<double, 3> force{};            ///< on the center [force]
-  std::array<double, 3> moment{};           ///< about the center [force length]
-  bool follower = false;                    ///< force and moment turn with the body
-  std::string load_curve;                   ///< empty: the load parameter itself
-  std::array<std::string, 6> load_curves{}; ///< of single components; empty: load_curve
+  std::array<double, 3> displacement{};       ///< [length]
+  std::array<double, 3> rotation{};           ///< rotation vector [rad]
+  std::array<double, 3> center{};             ///< of rotation, reference configuration [length]
+  std::string curve;                          ///< empty: the load parameter itself
+  std::array<std::string, 6> curves{};        ///< of single components; empty: curve
+  std::array<bool, 6> free{};                 ///< components that are unknowns: x, y, z, rx, ry, rz
+  std::vector<RigidHold> holds;               ///< of free components
+  std::array<double, 3> force{};              ///< on the center [force]
+  std::array<double, 3> moment{};             ///< about the center [force length]
+  bool follower = false;                      ///< force and moment turn with the body
+  std::string load_curve;                     ///< empty: the load parameter itself
+  std::array<std::string, 6> load_curves{};   ///< of single components; empty: load_curve
+  std::optional<double> density;              ///< of its blocks, for dynamics [mass/length^3]
+  std::optional<double> mass;                 ///< at the center, instead of density
+  std::array<double, 3> moments_of_inertia{}; ///< xx, yy, zz about the center, beside mass
+  std::array<double, 3> products_of_inertia{}; ///< - int x y dm, y z, z x
 
   bool has_unknowns() const {
     for (const bool f : free)
@@ -159,7 +164,10 @@ struct BodyOptions {
   std::vector<std::string> node_sets; ///< a rigid body's, of other bodies' elements too
   std::string material;               ///< empty for a rigid body
   bool rigid = false;
-  RigidMotion motion; ///< of a rigid body
+  RigidMotion motion;                       ///< of a rigid body
+  std::array<double, 3> initial_velocity{}; ///< for dynamics [length/time]
+  std::array<double, 3>
+      initial_angular_velocity{}; ///< about its center of mass or center [rad/time]
 };
 
 /// Displacement of the nodes of a set. components[i]: whether direction i is prescribed.

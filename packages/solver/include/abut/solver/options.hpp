@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/time_integration.hpp"
+
+#include <optional>
 #include <string>
 
 namespace abut::solver {
@@ -44,6 +47,20 @@ struct TimeOptions {
   double min_fraction = 1e-3; ///< smallest step as a fraction of end/steps
   int max_cuts = 8;           ///< in a row, on one step
   int target_iterations = 10; ///< Newton iterations of a step that keeps its size
+};
+
+/// Whether bodies have inertia, and how time goes on.
+struct DynamicsOptions {
+  bool active = false;               ///< else t is a load parameter
+  double spectral_radius = 1.0;      ///< see TimeIntegration
+  std::optional<double> beta, gamma; ///< Newmark's, instead of spectral_radius
+
+  TimeIntegration rule() const {
+    TimeIntegration rule = TimeIntegration::with_spectral_radius(spectral_radius);
+    rule.beta = beta.value_or(rule.beta);
+    rule.gamma = gamma.value_or(rule.gamma);
+    return rule;
+  }
 };
 
 } // namespace abut::solver
