@@ -77,6 +77,9 @@ private:
         map.add("free_length", c.free_length);
       return map;
     }
+    if (model_.is_dynamic())
+      refuse(c, "of all connectors abut has only springs with inertia; take out DYNAMIC where "
+                "inertia does not matter");
     map.add("origin", point_text(c.origin));
     if (c.kind != Kind::spherical && c.kind != Kind::lock)
       map.add("axis", point_text(c.axis));
