@@ -104,6 +104,7 @@ public:
   std::vector<RigidBodyState> states(double t, const std::vector<double>& others) const;
 
 private:
+  std::vector<double> all_unknowns(const Vector& x) const;
   void add_block(const BlockPattern& pattern, std::size_t body, int row, int column, double scale,
                  const Mat3& k, double* values) const;
   Vec3 load(std::size_t body, bool moment, double t) const;

@@ -65,7 +65,7 @@ void read_load(Element load, const std::string& type, Model& model) {
 
 void read_rigid_velocity(Element ic, bool turns, Model& model) {
   InitialVelocity v;
-  v.body = rigid_body(ic, model);
+  v.body = read_rigid_body(ic, "rb", model);
   v.name = ic.attribute_or("name", "");
   v.line = ic.line();
   v.turns = turns;
