@@ -114,8 +114,9 @@ TEST(RigidInertia, SymmetricTopPrecesses) {
       const Vec3 expected = assembly::rotation(5.0 * L) * Vec3{{0.0, 0.0, 1.0}};
       error[k] = norm(axis - expected);
       EXPECT_LT(norm(top.inertia.angular_momentum(top.place) - L), 1e-11);
-      if (radius == 1.0)
+      if (radius == 1.0) {
         EXPECT_NEAR(top.inertia.kinetic_energy(), 0.5 * (0.36 + 3.6), 1e-11);
+      }
     }
     EXPECT_GT(error[1], 1e-6);
     EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.1) << radius;
