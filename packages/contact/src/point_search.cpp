@@ -165,20 +165,6 @@ Interaction::Partner Interaction::nearest(Local face, int point, const PrimaryPo
   return best;
 }
 
-/// Past a rim a force ends at once, and what springs back takes it up again: there is no balance
-/// between. A pressed point that loses its partner again and again goes without for this solve.
-Interaction::Partner Interaction::lasting_partner(Local face, int point,
-                                                  const PrimaryPoint<double>& at) {
-  PointState& state = points_[point_index(face, point)];
-  if (state.losses >= swings)
-    return {};
-  const Partner best = nearest(face, point, at);
-  state.losses += state.pressed() && best.face < 0;
-  if (state.losses >= swings)
-    state.history.multiplier = 0.0, state.history.carried = StoredTraction();
-  return best;
-}
-
 double Interaction::wrong_facing_share() const {
   double near[2] = {0.0, 0.0}; // points near a face of the other surface; those facing its back
   for (Local f = 0; f < primary_.num_faces(); ++f)

@@ -36,7 +36,7 @@ struct PointState {
   double near_xi[2] = {0.0, 0.0};
   Local left = -1; ///< face that was the nearest before
   int returns = 0; ///< times the point went back to it in this solve
-  int losses = 0;  ///< times it was pressed and then had no partner, in this solve
+  int losses = 0;  ///< times it was pressed and went over the rim, in this solve
 
   PointRule rule = PointRule::open;
   double gap = 0.0;         ///< > 0 open, offset not taken off [length]
