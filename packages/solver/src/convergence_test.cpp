@@ -87,7 +87,7 @@ void ConvergenceTest::measure_correction(const NOX::Solver::Generic& solver) {
   difference.update(-1.0, start_, 1.0);
   increment_ = difference.norm2();
   difference.update(1.0, *x, -1.0, *values(old.getX()), 0.0);
-  correction_ = difference.norm2();
+  correction_ = difference.norm2() / step_lengths_.back(); // a shortened step is not a small one
   largest_work_ = std::max(largest_work_, std::abs(difference.dot(*values(old.getF()))));
   work_left_ = std::abs(difference.dot(*values(now.getF())));
 }

@@ -49,7 +49,7 @@ private:
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::vector<double> residuals_, step_lengths_;
   double reference_ = 0.0, first_reference_ = 0.0;
-  double correction_ = 0.0, increment_ = 0.0; ///< |dx|_2 of the last iterate, |x - start|_2
+  double correction_ = 0.0, increment_ = 0.0; ///< |dx|_2 of the full step, |x - start|_2
   double work_left_ = 0.0, largest_work_;     ///< |dx . f| with the new f, and the old ones' most
   long long linear_at_start_, linear_before_;
   std::string reason_;
