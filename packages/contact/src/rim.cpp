@@ -49,16 +49,16 @@ bool Interaction::on_rim(Local face, int e) const {
 
 /// Whether the point lies close above or below the surface that goes on from its last face, but
 /// past an edge where the surface ends.
-bool Interaction::past_rim(const Query& q) const {
-  const fem::FaceType type = facing_.type(q.last);
+bool Interaction::past_rim(Local last, const double* last_xi, const Vec3& x) const {
+  const fem::FaceType type = facing_.type(last);
   Vec3 y[fem::max_face_nodes];
-  facing_.coordinates(q.last, y);
-  const auto found = search::project(type, y, q.x, q.last_xi);
+  facing_.coordinates(last, y);
+  const auto found = search::project(type, y, x, last_xi);
   if (!found.converged ||
-      std::fabs(facet_gap<double>(type, y, q.x, found.xi).gap) > rim_depth * facing_.size(q.last))
+      std::fabs(facet_gap<double>(type, y, x, found.xi).gap) > rim_depth * facing_.size(last))
     return false;
   for (int e = 0; e < (fem::is_triangle(type) ? 3 : 4); ++e)
-    if (beyond_edge(type, found.xi, e) && on_rim(q.last, e))
+    if (beyond_edge(type, found.xi, e) && on_rim(last, e))
       return true;
   return false;
 }
@@ -70,9 +70,11 @@ Interaction::Partner Interaction::lasting_partner(Local face, int point,
   PointState& state = points_[point_index(face, point)];
   if (state.losses >= swings)
     return {};
-  const Query q = query(face, point, at);
+  const Local last = state.near;
+  const double last_xi[] = {state.near_xi[0], state.near_xi[1]};
   const Partner best = nearest(face, point, at);
-  if (state.pressed() && best.face < 0 && q.last >= 0 && past_rim(q) && ++state.losses == swings)
+  if (state.pressed() && best.face < 0 && last >= 0 && past_rim(last, last_xi, at.x) &&
+      ++state.losses == swings)
     state.history.multiplier = 0.0, state.history.carried = StoredTraction();
   return best;
 }

@@ -195,7 +195,7 @@ private:
              Partner& beside) const;
   Partner nearest(Local face, int point, const PrimaryPoint<double>& at);
   bool on_rim(Local face, int edge) const;
-  bool past_rim(const Query& query) const;
+  bool past_rim(Local last, const double* last_xi, const Vec3& x) const;
   Partner lasting_partner(Local face, int point, const PrimaryPoint<double>& at);
   bool own_neighbour(Local face, Local candidate) const;
   bool crossed(const Query& query, Local candidate, const double xi[2], double gap) const;
