@@ -50,6 +50,8 @@ void EquationSystem::set_rigid_joints(std::vector<RigidJoint> joints) {
 void EquationSystem::set_time(double t) {
   time_ = t;
   prepared_ = false;
+  for (Part& p : parts_)
+    p.contribution->begin_step();
   scale_joints_ = !joints_scaled_;
   if (dofs_.mesh().comm.any(follow_windows()))
     mark_constrained();
@@ -70,7 +72,7 @@ void EquationSystem::require_consistent() const {
 }
 
 NodalFields EquationSystem::fields() const {
-  return {u_.data(), dofs_.fields(), time_, predicting_};
+  return {u_.data(), dofs_.fields(), time_};
 }
 
 std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
@@ -116,7 +118,7 @@ void EquationSystem::prepare(const Vector& x) {
   std::vector<double> u = nodal_values(x);
   std::vector<Placement> placements = rigid_->place(x, time_);
   std::vector<double> multipliers = joints_->multipliers(x);
-  const bool same = prepared_ && u.size() == u_.size() &&
+  const bool same = prepared_ && state_version() == state_version_ && u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
                     rigid_->stands_at(placements) && joints_->stands_at(multipliers);
   if (!comm.any(!same))
@@ -129,6 +131,7 @@ void EquationSystem::prepare(const Vector& x) {
   if (comm.any(!u.empty() && !std::isfinite(u[0])))
     throw SolveError("an unknown is not a finite number");
   u_ = std::move(u);
+  state_version_ = state_version();
   prepared_ = false;
   forces_known_ = false;
   rigid_->move(std::move(placements));
@@ -189,9 +192,8 @@ void EquationSystem::update_pattern() {
   ABUT_REQUIRE(locate(), "a cell lies outside the pattern that was built from it");
 }
 
-void EquationSystem::predictor(const Vector& x, Vector& rhs) {
-  predicting_ = true;
-  prepared_ = false;
+RCP<const Matrix> EquationSystem::predictor(const Vector& x, Vector& rhs) {
+  begin_solve(SolveKind::prediction);
   tangent(x);
   Vector jump(dofs_.map());
   jump.assign(x);
@@ -213,8 +215,25 @@ void EquationSystem::predictor(const Vector& x, Vector& rhs) {
     }
     r(i, 0) = constrained_[i] ? diagonal * own(i, 0) : -r(i, 0) - lift;
   }
-  predicting_ = false;
-  predicted_ = true;
+  begin_solve(SolveKind::newton);
+  return matrix_;
+}
+
+void EquationSystem::begin_solve(SolveKind kind) {
+  for (Part& p : parts_)
+    p.contribution->begin_solve(kind);
+}
+
+void EquationSystem::iterate_taken() {
+  for (Part& p : parts_)
+    p.contribution->iterate_taken();
+}
+
+long EquationSystem::state_version() const {
+  long sum = 0;
+  for (const Part& p : parts_)
+    sum += p.contribution->state_version();
+  return sum;
 }
 
 void EquationSystem::accept(const Vector& x) {

@@ -67,8 +67,9 @@ public:
   /// prescribed may change.
   void set_time(double t);
   double time() const { return time_; }
-  /// A contribution's state changed by other means than x and t (multipliers): evaluate anew.
-  void state_changed() { prepared_ = false; }
+  /// Events of the solution, told to all contributions; see Contribution.
+  void begin_solve(SolveKind kind);
+  void iterate_taken();
 
   const DofMap& dofs() const { return dofs_; }
 
@@ -101,8 +102,9 @@ public:
   /// (owned rows, 3) reference coordinates; of a rigid body's rows those of its center. [length]
   std::vector<double> row_coordinates() const;
 
-  /// Right-hand side that moves free unknowns along with a change of the constrained ones.
-  void predictor(const Vector& x, Vector& rhs);
+  /// The tangent, and the right-hand side that moves free unknowns along with a change of the
+  /// constrained ones, at x: a solve of its own, see SolveKind. Newton's is begun after it.
+  RCP<const Matrix> predictor(const Vector& x, Vector& rhs);
   void apply_constraints(Vector& x) const;
 
   /// (N, fields) values of all local mesh nodes for x at the present time.
@@ -143,6 +145,7 @@ private:
     std::vector<RigidBodyState> bodies;
     std::vector<RigidJointState> joints;
   };
+  long state_version() const;
   void prepare(const Vector& x);
   void update_pattern();
   enum class Force { internal, other, inertial };
@@ -180,8 +183,7 @@ private:
   std::unique_ptr<RigidBodies> rigid_;
   std::unique_ptr<RigidJoints> joints_;
   double time_ = 0.0;
-  bool predicting_ = false; ///< see NodalFields::prediction
-  bool predicted_ = false;  ///< what is prepared is of the prediction
+  long state_version_ = -1; ///< of all contributions in the last prepare
   bool prepared_ = false;
   bool joints_scaled_ = true, scale_joints_ = false;
   bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
