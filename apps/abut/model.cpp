@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model.hpp"
 
-#include "abut/contact/side_choice.hpp"
+#include "abut/contact/passes.hpp"
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
 #include "abut/mesh/generate.hpp"
@@ -200,23 +200,7 @@ std::vector<char> prescribed_directions(const Model& m, const mesh::Surface& sur
   return result;
 }
 
-/// Swaps the sides when the deck leaves the choice, and warns of a primary that is stiff and fine.
-void choose_sides(Model& m, const mesh::Surface& primary, const mesh::Surface& secondary,
-                  contact::ContactOptions& options) {
-  const contact::SideComparison sides = contact::compare_sides(m.comm, primary, secondary);
-  if (options.primary_side == contact::PrimarySide::automatic) {
-    if (sides.prefers_swap())
-      std::swap(options.primary, options.secondary);
-  } else if (sides.is_poor() && !options.two_pass) {
-    m.warnings.push_back(fmt::format(
-        "contact.{}: the primary '{}' is {:.3g} times as stiff as the secondary and its faces are "
-        "{:.3g} times their size: pressures will oscillate. Swap primary and secondary, or give "
-        "'primary_side: automatic'",
-        options.name, options.primary, sides.stiffness, sides.size));
-  }
-}
-
-void add_contact(Model& m, contact::ContactOptions options) {
+void add_contact(Model& m, const contact::ContactOptions& options) {
   solid::BlockMaterials materials;
   for (const auto& material : m.material)
     materials.push_back(material ? &*material : nullptr);
@@ -228,24 +212,15 @@ void add_contact(Model& m, contact::ContactOptions options) {
     s.inverse_depth = stiffness.inverse_depth;
     return s;
   };
-  const auto add = [&](const contact::ContactOptions& pass, double share) {
-    m.contacts.push_back(std::make_shared<contact::Interaction>(
-        m.comm, surface(pass.primary), surface(pass.secondary), pass, m.timers, share));
-    contact::Interaction& contact = *m.contacts.back();
-    contact.set_schedules(given_curve(m.deck, pass.penalty_curve),
-                          given_curve(m.deck, pass.friction_curve));
-    contact.set_end(m.deck.time.end);
-    contact.set_prescribed(prescribed_directions(m, contact.primary()));
-  };
+  contact::HostFacts host;
+  host.curve = [&](const std::string& name) { return m.deck.curve(name); };
+  host.end = m.deck.time.end;
+  host.prescribed = [&](const mesh::Surface& s) { return prescribed_directions(m, s); };
   try {
-    choose_sides(m, surface(options.primary), surface(options.secondary), options);
-    add(options, options.two_pass ? 0.5 : 1.0);
-    if (!options.two_pass)
-      return;
-    contact::ContactOptions second = options;
-    std::swap(second.primary, second.secondary);
-    second.name += "_second_pass";
-    add(second, 0.5);
+    const contact::Passes passes = contact::make_passes(
+        m.comm, surface(options.primary), surface(options.secondary), options, m.timers, host);
+    m.contacts.insert(m.contacts.end(), passes.interfaces.begin(), passes.interfaces.end());
+    m.warnings.insert(m.warnings.end(), passes.warnings.begin(), passes.warnings.end());
   } catch (const InputError& e) {
     throw InputError(m.deck.where("contact." + options.name) + ": " + e.what());
   }
