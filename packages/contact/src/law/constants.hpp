@@ -10,7 +10,7 @@ constexpr double round_off = 1e-9; ///< beside a face by no more than this is on
 constexpr double as_near = 0.01;   ///< difference of distances that decides nothing, in face sizes
 constexpr double hold_margin =
     0.1;                  ///< a point that swings between two faces stays on one up to here
-constexpr int swings = 4; ///< returns to the face just left, or ways over a rim, in one solve, that
+constexpr int swings = 2; ///< returns to the face just left, or ways over a rim, in one solve, that
                           ///< are a cycle and not overshoot
 constexpr double rim_depth = 0.5;       ///< of a face: deeper than this nothing slides over a rim
 constexpr double outward_share = -1e-2; ///< cosine between normals below which faces oppose
