@@ -177,16 +177,20 @@ std::string explain_augmentation(const Settings& s) {
 Settings resolve(const ContactOptions& o, const SideComparison& sides) {
   refuse_contradictions(o, sides);
   Settings s;
+  s.sides = sides;
   s.name = o.name;
   s.primary = o.primary;
   s.secondary = o.secondary;
-  if (o.primary_side == PrimarySide::automatic && sides.prefers_swap())
+  if (o.primary_side == PrimarySide::automatic && sides.prefers_swap()) {
     std::swap(s.primary, s.secondary);
+    s.sides.stiffness = 1.0 / sides.stiffness;
+    s.sides.size = 1.0 / sides.size;
+  }
   s.window = o.window;
   s.formulation = o.formulation;
   s.enforcement = o.enforcement;
   s.tangent = o.tangent;
-  s.multipliers = space(o, sides);
+  s.multipliers = space(o, s.sides);
   s.two_pass = o.two_pass;
   s.tension = o.tension;
   s.tied = o.tied;
@@ -213,7 +217,9 @@ std::string explain(const ContactOptions& o, const Settings& s) {
     text += "as given";
   else
     text += s.primary == o.primary ? "automatic: as given" : "automatic: swapped, it is softer";
-  text += s.two_pass ? "; both carry points, half the traction each\n" : "; one pass\n";
+  text += s.two_pass ? "; both carry points, half the traction each" : "; one pass";
+  text += "; the primary is " + number(s.sides.stiffness) +
+          " times as stiff and its faces are " + number(s.sides.size) + " times as large\n";
   text += explain_penalty(o, s);
   if (s.augmented())
     text += explain_space(o, s) + explain_augmentation(s);

@@ -19,6 +19,7 @@ enum class PenaltySource {
 /// "not asked" a value that is never reached. Read by kernels as it is, printed by `abut check`.
 struct Settings {
   std::string name, primary, secondary;
+  SideComparison sides; ///< in the order of primary and secondary here
   Window window;
   Formulation formulation = Formulation::facet_on_facet;
   Enforcement enforcement = Enforcement::penalty;
