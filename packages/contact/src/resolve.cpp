@@ -58,8 +58,8 @@ void refuse_contradictions(const ContactOptions& o, const SideComparison& sides)
 Multipliers space(const ContactOptions& o, const SideComparison& sides) {
   if (o.multipliers != Multipliers::automatic)
     return o.multipliers;
-  const bool dual = o.enforcement == Enforcement::augmented_lagrangian && !against_dual(o) &&
-                    sides.suits_dual();
+  const bool dual =
+      o.enforcement == Enforcement::augmented_lagrangian && !against_dual(o) && sides.suits_dual();
   return dual ? Multipliers::dual : Multipliers::smoothed;
 }
 
@@ -97,10 +97,10 @@ void set_friction(Settings& s, const ContactOptions& o) {
 void set_augmentation(Settings& s, const ContactOptions& o) {
   constexpr double change = 1e-2, gap = 1e-3;
   s.uzawa = o.uzawa;
-  s.anderson = o.friction == 0.0 && !s.anchors() && !o.tension &&
-               (o.augmentation == AugmentationRule::anderson ||
-                (o.augmentation == AugmentationRule::automatic &&
-                 s.multipliers != Multipliers::per_point));
+  s.anderson =
+      o.friction == 0.0 && !s.anchors() && !o.tension &&
+      (o.augmentation == AugmentationRule::anderson ||
+       (o.augmentation == AugmentationRule::automatic && s.multipliers != Multipliers::per_point));
   s.gap_tolerance = o.gap_tolerance.value_or(s.gap_tolerance);
   s.length_tolerance = o.gap_limit.value_or(s.length_tolerance);
   if (o.multiplier_tolerance)
@@ -138,8 +138,8 @@ std::string explain_penalty(const ContactOptions& o, const Settings& s) {
   else if (s.multipliers == Multipliers::per_point)
     text += ", automatic for multipliers at points";
   else
-    text += s.nodal_law() ? ", automatic for dual multipliers"
-                          : ", automatic for smoothed multipliers";
+    text +=
+        s.nodal_law() ? ", automatic for dual multipliers" : ", automatic for smoothed multipliers";
   return text + "; softest modulus " + number(s.modulus) + "\n";
 }
 
@@ -218,8 +218,8 @@ std::string explain(const ContactOptions& o, const Settings& s) {
   else
     text += s.primary == o.primary ? "automatic: as given" : "automatic: swapped, it is softer";
   text += s.two_pass ? "; both carry points, half the traction each" : "; one pass";
-  text += "; the primary is " + number(s.sides.stiffness) +
-          " times as stiff and its faces are " + number(s.sides.size) + " times as large\n";
+  text += "; the primary is " + number(s.sides.stiffness) + " times as stiff and its faces are " +
+          number(s.sides.size) + " times as large\n";
   text += explain_penalty(o, s);
   if (s.augmented())
     text += explain_space(o, s) + explain_augmentation(s);

@@ -346,11 +346,11 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
              "of the last few solves, so that what they leave cancels best; without friction"}},
            "what the next multipliers are made of");
   using contact::Uzawa;
-  v.choice("uzawa", o.uzawa,
-           {{"nested", Uzawa::nested, "after each solve of a step, until the tolerances hold"},
-            {"end_of_step", Uzawa::end_of_step,
-             "once, at the end of each step, without another solve"}},
-           "when multipliers change");
+  v.choice(
+      "uzawa", o.uzawa,
+      {{"nested", Uzawa::nested, "after each solve of a step, until the tolerances hold"},
+       {"end_of_step", Uzawa::end_of_step, "once, at the end of each step, without another solve"}},
+      "when multipliers change");
   v.number_or("penalty_factor", o.penalty_factor, "automatic",
               "f in eps = f E_n A / V, without penalty; automatic: 10; augmented_lagrangian with "
               "dual multipliers 30, with smoothed ones 3 or what gap_tolerance asks for between 1 "
@@ -395,8 +395,7 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("stick_within", o.stick_within, "gap up to which sticky points get hold too",
              at_least(0.0, "length"));
   v.number_or("stick_strength", o.stick_strength, "unlimited",
-              "tension along the normal beyond which sticky points come off",
-              positive("pressure"));
+              "tension along the normal beyond which sticky points come off", positive("pressure"));
   v.optional("offset", o.offset, "gap that counts as closed", unit("length"));
   using contact::InitialOverlap;
   v.choice("initial_overlap", o.initial_overlap,
@@ -433,8 +432,7 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
               "augmentation also asks for this largest penetration", positive("length"));
   v.optional("min_augmentations", o.min_augmentations, "at least so many, each step",
              at_least(0.0, "1"));
-  v.optional("max_augmentations", o.max_augmentations,
-             "at most so many, each step",
+  v.optional("max_augmentations", o.max_augmentations, "at most so many, each step",
              Rule{1.0, Rule::infinity, false, "1",
                   "for multipliers that change once, at the end of each step, write 'uzawa: "
                   "end_of_step'"});

@@ -218,7 +218,9 @@ Json json_field(const Field& field) {
     (field.type == "word" ? json : json["items"])["enum"] = words;
   }
   if (!field.initial.empty())
-    json["default"] = field.type == "word" || field.initial == field.word ? Json(field.initial) : Json::parse(field.initial);
+    json["default"] = field.type == "word" || field.initial == field.word
+                          ? Json(field.initial)
+                          : Json::parse(field.initial);
   const bool has_unit = !field.unit.empty() && field.unit != "1";
   json["description"] = field.doc + (has_unit ? " [" + field.unit + "]" : "");
   return json;

@@ -147,7 +147,8 @@ TEST(Resolve, RefusalsNameTheInterfaceAndTheKeys) {
   const Refusal refusals[] = {
       {[](auto& o) { o.two_pass = true, o.secondary = "p"; },
        "contact.pair.two_pass: self-contact of 'p' has points on both sides already"},
-      {[](auto& o) { o.tied = o.tension = true; }, "contact.pair.tension: tied points pull already"},
+      {[](auto& o) { o.tied = o.tension = true; },
+       "contact.pair.tension: tied points pull already"},
       {[](auto& o) { o.sticky = true, o.friction = 0.1; },
        "contact.pair.sticky: does not go with tied, tension or friction"},
       {[](auto& o) { o.multipliers = Multipliers::dual, o.tied = true; },

@@ -89,9 +89,9 @@ struct ContactOptions {
   Uzawa uzawa = Uzawa::nested;
 
   std::optional<double> penalty_factor; ///< f in eps = f E_n A / V; none: by the multipliers [1]
-  std::optional<double> penalty; ///< eps itself; none: by penalty_factor [pressure/length]
-  std::string penalty_curve;     ///< factor on the penalty over t
-  bool update_penalty = false;   ///< A of the automatic penalty is the area of the last step
+  std::optional<double> penalty;        ///< eps itself; none: by penalty_factor [pressure/length]
+  std::string penalty_curve;            ///< factor on the penalty over t
+  bool update_penalty = false;          ///< A of the automatic penalty is the area of the last step
 
   double friction = 0.0;      ///< coefficient mu [1]
   std::string friction_curve; ///< factor on mu over t
@@ -102,9 +102,9 @@ struct ContactOptions {
   bool tension = false;  ///< a point that is in contact may pull
   bool tied = false;     ///< points close to their partner at the start stay there
   TieGap tie_gap = TieGap::keep;
-  double tie_distance = 0.1;   ///< what is close, in face sizes [1]
-  bool sticky = false;         ///< points that touch or overlap are tied from then on
-  double stick_within = 0.0;   ///< gap up to which a sticky point touches [length]
+  double tie_distance = 0.1;            ///< what is close, in face sizes [1]
+  bool sticky = false;                  ///< points that touch or overlap are tied from then on
+  double stick_within = 0.0;            ///< gap up to which a sticky point touches [length]
   std::optional<double> stick_strength; ///< normal tension that it stands; none: any [pressure]
   double offset = 0.0; ///< gap that counts as closed, e.g. a shell's half thickness [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;

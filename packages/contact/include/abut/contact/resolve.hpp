@@ -29,10 +29,10 @@ struct Settings {
   bool anderson = false; ///< the next multipliers are made of several solves
 
   PenaltySource penalty_source = PenaltySource::factor;
-  double penalty = 0.0;              ///< eps, when given [pressure/length]
-  double penalty_factor = 0.0;       ///< f, when by factor [1]
-  bool factor_by_pressure = false;   ///< f is chosen again after the first step in contact
-  double modulus = 0.0;              ///< E_n of the softer body; 0: both are rigid [pressure]
+  double penalty = 0.0;            ///< eps, when given [pressure/length]
+  double penalty_factor = 0.0;     ///< f, when by factor [1]
+  bool factor_by_pressure = false; ///< f is chosen again after the first step in contact
+  double modulus = 0.0;            ///< E_n of the softer body; 0: both are rigid [pressure]
   bool update_penalty = false;
 
   double friction = 0.0;
