@@ -4,8 +4,8 @@
 #include "abut/contact/side_choice.hpp"
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
-#include "abut/mesh/generate.hpp"
 #include "abut/mesh/surface.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "abut/solid/face_stiffness.hpp"
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
@@ -35,7 +35,7 @@ mesh::MeshData load_mesh(const deck::Deck& deck) {
   for (const auto& p : deck.mesh.parameters)
     options[p.key] = p.text;
   try {
-    return mesh::generate(deck.mesh.kind, options);
+    return meshgen::generate(deck.mesh.kind, options);
   } catch (const InputError& e) {
     throw InputError(deck.where("mesh.generate") + ": " + e.what());
   }

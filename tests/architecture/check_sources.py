@@ -13,6 +13,7 @@ ALLOWED = {
     "core": set(),
     "fem": {"core"},
     "mesh": {"core", "fem"},
+    "meshgen": {"core", "fem", "mesh"},
     "io": {"core", "fem", "mesh"},
     "search": {"core", "fem", "mesh"},
     "contact": {"core", "fem", "mesh", "search"},

@@ -15,8 +15,8 @@ inline double value_of(const Dual& x) {
 #include "abut/contact/interaction.hpp"
 #include "abut/contact/point_tangent.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/mesh/generate.hpp"
 #include "abut/mesh/surface.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
 #include <Tpetra_Core.hpp>
@@ -51,9 +51,9 @@ struct Blocks {
 
   static mesh::Mesh make_mesh(int n) {
     const auto cells = [](int k) { return std::to_string(k); };
-    return mesh::distribute(mesh::generate("blocks", {{"lower_divisions", cells(n)},
-                                                      {"upper_divisions", cells(n + n / 2)},
-                                                      {"gap", "-0.001"}}),
+    return mesh::distribute(meshgen::generate("blocks", {{"lower_divisions", cells(n)},
+                                                         {"upper_divisions", cells(n + n / 2)},
+                                                         {"gap", "-0.001"}}),
                             Comm(MPI_COMM_WORLD));
   }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/assembly/equation_system.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/mesh/generate.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ struct Box {
     const Comm comm(MPI_COMM_WORLD);
     mesh::MeshData data;
     if (comm.is_root())
-      data = mesh::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}});
+      data = meshgen::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}});
     return mesh::distribute(data, comm);
   }
 
@@ -95,7 +95,7 @@ TEST(EquationSystem, SameNormsOnAnyNumberOfRanks) {
   {
     const Comm alone(self);
     const mesh::Mesh whole = mesh::distribute(
-        mesh::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}}), alone);
+        meshgen::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}}), alone);
     PhaseTimers timers;
     assembly::EquationSystem system(assembly::DofMap(whole, {"x", "y", "z"}), timers);
     solid::MaterialOptions material;

@@ -2,7 +2,7 @@
 #include "abut/assembly/equation_system.hpp"
 #include "abut/assembly/rotation.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/mesh/generate.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "abut/solid/inertia_contribution.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
@@ -71,7 +71,7 @@ struct Scene {
   static mesh::Mesh make_mesh(const Comm& comm) {
     mesh::MeshData data;
     if (comm.is_root())
-      data = mesh::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}});
+      data = meshgen::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}});
     return mesh::distribute(data, comm);
   }
 

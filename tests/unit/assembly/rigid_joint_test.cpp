@@ -3,7 +3,7 @@
 #include "abut/assembly/rotation.hpp"
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/mesh/generate.hpp"
+#include "abut/meshgen/generate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ struct Scene {
   static mesh::Mesh make_mesh(const Comm& comm) {
     mesh::MeshData data;
     if (comm.is_root())
-      data = mesh::generate("box", {{"divisions", "2,2,2"}});
+      data = meshgen::generate("box", {{"divisions", "2,2,2"}});
     return mesh::distribute(data, comm);
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/comm.hpp"
-#include "abut/mesh/generators.hpp"
 #include "abut/mesh/mesh.hpp"
+#include "abut/meshgen/generators.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 using namespace abut;
 using namespace abut::mesh;
+using namespace abut::meshgen;
 
 namespace {
 

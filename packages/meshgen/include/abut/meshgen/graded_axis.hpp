@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 /// Cell sizes along one direction that start fine and grow.
 struct Grading {
@@ -21,4 +21,4 @@ std::vector<double> graded_axis(double length, const Grading& grading);
 /// `cells` equal cells from `first` to `last`. Throws InputError when cells < 1 or last <= first.
 std::vector<double> uniform_axis(double first, double last, int cells);
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

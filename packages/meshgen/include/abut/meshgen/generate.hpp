@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 /// The kinds of mesh that generate knows.
 const std::vector<std::string>& generator_kinds();
@@ -24,9 +24,9 @@ std::vector<GeneratorKey> generator_keys(const std::string& kind);
 /// Makes a mesh of a kind from written options; see generators.hpp for what they mean. Lists are
 /// written 1,2,3 or [1, 2, 3]; one number stands for all three. Throws InputError for an unknown
 /// kind or key, naming the nearest one, and for values that cannot be read.
-MeshData generate(const std::string& kind, const std::map<std::string, std::string>& options);
+mesh::MeshData generate(const std::string& kind, const std::map<std::string, std::string>& options);
 
 /// Cell type from hex8, hex20, hex27, tet4, tet10 or wedge6. Throws InputError.
 fem::CellType cell_type_from_name(const std::string& name);
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

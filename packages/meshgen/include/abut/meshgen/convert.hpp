@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 /// Moves a new node from the centre of an edge or face onto the true geometry.
 /// corners: (count) positions of the corners that the node lies between.
@@ -18,6 +18,7 @@ using Projection = std::function<Vec3(const Vec3& centre, const Vec3* corners, i
 /// smallest number (Dompierre et al., How to subdivide pyramids, prisms and hexahedra into
 /// tetrahedra, 1999). Node sets keep their corner nodes only (see node_sets_from_side_sets).
 /// Throws InputError when wedges of neighbouring cells cannot fit.
-MeshData convert(const MeshData& hex8, fem::CellType type, const Projection& project = {});
+mesh::MeshData convert(const mesh::MeshData& hex8, fem::CellType type,
+                       const Projection& project = {});
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "abut/fem/cell.hpp"
-#include "abut/mesh/generators.hpp"
 #include "abut/mesh/mesh_data.hpp"
+#include "abut/meshgen/generators.hpp"
 
 /// Meshes of two bodies in contact whose exact solution is known. As in generators.hpp: every side
 /// set has a node set of the same name; all throw InputError for sizes or counts that make no mesh.
-namespace abut::mesh {
+namespace abut::meshgen {
 
 enum class InterfaceShape {
   plane,    ///< z = tan(angle) (x - width/2)
@@ -31,7 +31,7 @@ struct InterfaceOptions {
 /// blocks `lower` and `upper` with nodes of their own, all of them on the true surface. Sets:
 /// lower_top and upper_bottom (the interface), lower_bottom, upper_top, and for each block
 /// BLOCK_x0, BLOCK_x1, BLOCK_y0, BLOCK_y1 and BLOCK_outer (all but the interface).
-MeshData interface_pair(const InterfaceOptions& options);
+mesh::MeshData interface_pair(const InterfaceOptions& options);
 
 struct RoundPairOptions {
   double upper_radius = 1.0, lower_radius = 1.0;
@@ -47,7 +47,7 @@ struct RoundPairOptions {
 /// Quarters x >= 0, y >= 0 of two half balls that touch at the origin: block `upper` (z >= 0),
 /// block `lower` (z <= 0), as quarter_sphere makes them. Sets: for each block BLOCK_contact and
 /// BLOCK_curved, upper_top, lower_bottom, and of both x0, y0.
-MeshData sphere_pair(const RoundPairOptions& options);
+mesh::MeshData sphere_pair(const RoundPairOptions& options);
 
 struct CylinderPairOptions : RoundPairOptions {
   double thickness = 0.1; ///< along y
@@ -56,7 +56,7 @@ struct CylinderPairOptions : RoundPairOptions {
 
 /// Halves x >= 0 of two half cylinders along y that touch along x = z = 0. Sets as for sphere_pair,
 /// and y1.
-MeshData cylinder_pair(const CylinderPairOptions& options);
+mesh::MeshData cylinder_pair(const CylinderPairOptions& options);
 
 struct ParaboloidOptions {
   double radius = 1.0;   ///< R of the face z = r^2/(2 R)
@@ -77,7 +77,7 @@ struct ParaboloidOptions {
 /// `plate` below z = 0. Sets: contact (lower faces within 2 core of the axis), top, plate_top,
 /// plate_bottom, and x0, x1, y0, y1, of both bodies where the plate is meshed; the node set `pole`.
 /// A plate of one cell reaches 2.5 core, and core beyond the symmetry planes.
-MeshData paraboloid(const ParaboloidOptions& options);
+mesh::MeshData paraboloid(const ParaboloidOptions& options);
 
 enum class PunchShape {
   strip, ///< half of a long punch, 0 <= x <= radius, a slab along y
@@ -102,6 +102,6 @@ struct PunchOptions {
 /// size deep), and block `punch` above it, sharp-edged. Sets: top, contact (top faces within 2
 /// radius of the middle), bottom, side (x or r = size), x0, y0, and y1 of the strip; punch_bottom,
 /// punch_top. The outline of a disc is a polygon of the same area as the circle. No wedge6.
-MeshData punch(const PunchOptions& options);
+mesh::MeshData punch(const PunchOptions& options);
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

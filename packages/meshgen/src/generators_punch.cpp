@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/mesh/contact_generators.hpp"
-#include "abut/mesh/convert.hpp"
-#include "abut/mesh/graded_axis.hpp"
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/contact_generators.hpp"
+#include "abut/meshgen/convert.hpp"
+#include "abut/meshgen/graded_axis.hpp"
+#include "abut/meshgen/merge.hpp"
 #include "structured.hpp"
 
 #include <array>
 #include <cmath>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -67,13 +67,14 @@ PlaneMesh quarter_disc(int n, double half, const std::vector<double>& radii) {
   return mesh;
 }
 
-MeshData extrude(const PlaneMesh& plane, const std::vector<double>& z, const std::string& name) {
+mesh::MeshData extrude(const PlaneMesh& plane, const std::vector<double>& z,
+                       const std::string& name) {
   require_cells(double(plane.cells.size()) * double(z.size()));
-  MeshData mesh;
+  mesh::MeshData mesh;
   for (double c : z)
     for (const auto& p : plane.x)
       mesh.x.insert(mesh.x.end(), {p[0], p[1], c});
-  BlockData block;
+  mesh::BlockData block;
   block.id = 1;
   block.name = name;
   const Global layer = static_cast<Global>(plane.x.size());
@@ -119,12 +120,12 @@ Projection onto_circles(double first) {
   };
 }
 
-MeshData body(const PunchOptions& o) {
+mesh::MeshData body(const PunchOptions& o) {
   const double h = o.radius / (o.facets - o.offset), edge = o.facets * h;
   const double limit = o.max_size > 0.0 ? o.max_size : 0.2 * o.size;
   const bool strip = o.shape == PunchShape::strip;
   const std::vector<double> z = negated(graded_axis(o.size, {0.5 * o.radius, h, o.growth, limit}));
-  MeshData mesh;
+  mesh::MeshData mesh;
   if (strip) {
     const std::vector<double> x =
         graded_axis(o.size, {(o.facets + (o.facets + 1) / 2) * h, h, o.growth, limit});
@@ -150,14 +151,14 @@ MeshData body(const PunchOptions& o) {
   return strip ? convert(mesh, o.element) : convert(mesh, o.element, onto_circles(edge));
 }
 
-MeshData rigid_part(const PunchOptions& o) {
+mesh::MeshData rigid_part(const PunchOptions& o) {
   const double height = 0.5 * o.radius;
   if (o.shape == PunchShape::strip)
     return structured_block(uniform_axis(0.0, o.radius, o.punch_divisions), {0.0, o.thickness},
                             {0.0, height}, "punch", {"", "", "", "", "punch_bottom", "punch_top"});
   const double corner = 0.5 * pi / o.punch_divisions; // angle between corners of the outline
   const double radius = o.radius * std::sqrt(corner / std::sin(corner));
-  MeshData mesh =
+  mesh::MeshData mesh =
       extrude(quarter_disc(o.punch_divisions / 2, 0.5 * radius, {radius}), {0.0, height}, "punch");
   add_side_set(mesh, "punch_bottom", [&](Global n) { return mesh.x[3 * n + 2] == 0.0; });
   add_side_set(mesh, "punch_top", [&](Global n) { return mesh.x[3 * n + 2] == height; });
@@ -166,13 +167,13 @@ MeshData rigid_part(const PunchOptions& o) {
 
 } // namespace
 
-MeshData punch(const PunchOptions& o) {
+mesh::MeshData punch(const PunchOptions& o) {
   require_valid(o);
-  MeshData mesh = body(o);
+  mesh::MeshData mesh = body(o);
   append(mesh, rigid_part(o));
   mesh.title = "flat punch on a body";
   node_sets_from_side_sets(mesh);
   return mesh;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 /// Names of the six sides of a structured block.
 struct SideNames {
@@ -18,13 +18,13 @@ void require_cells(double cells, double most = 2e7);
 
 /// Block of hex8 cells over the products of three axes; x runs fastest. Sides without name have no
 /// side set.
-MeshData structured_block(const std::vector<double>& x, const std::vector<double>& y,
-                          const std::vector<double>& z, const std::string& name,
-                          const SideNames& sides);
+mesh::MeshData structured_block(const std::vector<double>& x, const std::vector<double>& y,
+                                const std::vector<double>& z, const std::string& name,
+                                const SideNames& sides);
 
 /// Moves the nodes of a structured box by up to `fraction` of the neighbouring cell, within the
 /// faces, edges and corners that they lie on. The same seed gives the same mesh everywhere.
-void distort(MeshData& mesh, const std::vector<double>& x, const std::vector<double>& y,
+void distort(mesh::MeshData& mesh, const std::vector<double>& x, const std::vector<double>& y,
              const std::vector<double>& z, double fraction, unsigned seed);
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/mesh/contact_generators.hpp"
-#include "abut/mesh/convert.hpp"
-#include "abut/mesh/graded_axis.hpp"
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/contact_generators.hpp"
+#include "abut/meshgen/convert.hpp"
+#include "abut/meshgen/graded_axis.hpp"
+#include "abut/meshgen/merge.hpp"
 #include "structured.hpp"
 
 #include <cmath>
 #include <functional>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -40,11 +40,11 @@ Height height_of(const InterfaceOptions& o) {
 }
 
 /// One block between its flat face at z = outer and the surface; `upper`: the surface is below.
-MeshData block(const InterfaceOptions& o, const Height& height, bool upper) {
+mesh::MeshData block(const InterfaceOptions& o, const Height& height, bool upper) {
   const Divisions& n = upper ? o.upper_divisions : o.lower_divisions;
   const double outer = upper ? o.upper_height : -o.lower_height;
   const std::string name = upper ? "upper" : "lower", p = name + "_";
-  MeshData mesh =
+  mesh::MeshData mesh =
       structured_block(uniform_axis(0.0, o.width, n[0]), uniform_axis(0.0, o.depth, n[1]),
                        uniform_axis(0.0, 1.0, n[2]), name,
                        {p + "x0", p + "x1", p + "y0", p + "y1", p + "bottom", p + "top"});
@@ -73,13 +73,13 @@ MeshData block(const InterfaceOptions& o, const Height& height, bool upper) {
 
 } // namespace
 
-MeshData interface_pair(const InterfaceOptions& o) {
+mesh::MeshData interface_pair(const InterfaceOptions& o) {
   const Height height = height_of(o);
-  MeshData mesh = block(o, height, false);
+  mesh::MeshData mesh = block(o, height, false);
   append(mesh, block(o, height, true));
   mesh.title = "two blocks with a common interface";
   node_sets_from_side_sets(mesh);
   return mesh;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

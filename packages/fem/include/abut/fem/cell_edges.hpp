@@ -3,7 +3,7 @@
 
 #include "abut/fem/cell.hpp"
 
-namespace abut::mesh {
+namespace abut::fem {
 
 /// Corner pairs of the edges in the order in which Exodus numbers their middle nodes, which follow
 /// the corners: the middle node of edge e has the number corners + e.
@@ -24,17 +24,17 @@ inline CellEdges tet_edges() {
 }
 
 /// Middle node of the edge between two corners, or -1 when the cell has none.
-inline int edge_node(fem::CellType type, int a, int b) {
+inline int edge_node(CellType type, int a, int b) {
   CellEdges edges{0, nullptr};
-  if (type == fem::CellType::hex20 || type == fem::CellType::hex27)
+  if (type == CellType::hex20 || type == CellType::hex27)
     edges = hex_edges();
-  if (type == fem::CellType::tet10)
+  if (type == CellType::tet10)
     edges = tet_edges();
   for (int e = 0; e < edges.count; ++e)
     if ((edges.ends[e][0] == a && edges.ends[e][1] == b) ||
         (edges.ends[e][0] == b && edges.ends[e][1] == a))
-      return fem::info(type).corners + e;
+      return info(type).corners + e;
   return -1;
 }
 
-} // namespace abut::mesh
+} // namespace abut::fem

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/merge.hpp"
 
 #include "abut/core/error.hpp"
 
 #include <algorithm>
 #include <set>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
-void append(MeshData& whole, const MeshData& part) {
+void append(mesh::MeshData& whole, const mesh::MeshData& part) {
   ABUT_REQUIRE(whole.dim == part.dim, "meshes of different dimension");
   ABUT_REQUIRE(whole.node_id.empty() && part.node_id.empty(), "meshes with number maps");
   const Global first_node = whole.num_nodes();
   const int first_block = static_cast<int>(whole.blocks.size());
   int id = 0;
-  for (const BlockData& b : whole.blocks)
+  for (const mesh::BlockData& b : whole.blocks)
     id = std::max(id, b.id);
 
   whole.x.insert(whole.x.end(), part.x.begin(), part.x.end());
-  for (BlockData b : part.blocks) {
+  for (mesh::BlockData b : part.blocks) {
     ABUT_REQUIRE(b.element_id.empty(), "meshes with number maps");
     b.id = ++id;
     for (Global& n : b.nodes)
@@ -32,18 +32,18 @@ void append(MeshData& whole, const MeshData& part) {
   }
   for (const auto& [name, sides] : part.side_sets) {
     auto& out = whole.side_sets[name];
-    for (SideData s : sides) {
+    for (mesh::SideData s : sides) {
       s.block += first_block;
       out.push_back(s);
     }
   }
 }
 
-void add_side_set(MeshData& mesh, const std::string& name,
+void add_side_set(mesh::MeshData& mesh, const std::string& name,
                   const std::function<bool(Global node)>& chosen) {
   auto& out = mesh.side_sets[name];
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const BlockData& block = mesh.blocks[b];
+    const mesh::BlockData& block = mesh.blocks[b];
     const fem::CellInfo& cell = fem::info(block.type);
     const Global count = static_cast<Global>(block.nodes.size()) / cell.nodes;
     for (Global e = 0; e < count; ++e)
@@ -58,11 +58,11 @@ void add_side_set(MeshData& mesh, const std::string& name,
   }
 }
 
-void node_sets_from_side_sets(MeshData& mesh) {
+void node_sets_from_side_sets(mesh::MeshData& mesh) {
   for (const auto& [name, sides] : mesh.side_sets) {
     std::set<Global> nodes;
-    for (const SideData& s : sides) {
-      const BlockData& block = mesh.blocks[s.block];
+    for (const mesh::SideData& s : sides) {
+      const mesh::BlockData& block = mesh.blocks[s.block];
       const fem::CellSide& side = fem::side(block.type, s.side);
       const Global* cell = &block.nodes[s.element * fem::info(block.type).nodes];
       for (int i = 0; i < fem::face_nodes(side.type); ++i)
@@ -72,4 +72,4 @@ void node_sets_from_side_sets(MeshData& mesh) {
   }
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/mesh/contact_generators.hpp"
-#include "abut/mesh/convert.hpp"
-#include "abut/mesh/graded_axis.hpp"
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/contact_generators.hpp"
+#include "abut/meshgen/convert.hpp"
+#include "abut/meshgen/graded_axis.hpp"
+#include "abut/meshgen/merge.hpp"
 #include "structured.hpp"
 
 #include <cmath>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -30,10 +30,10 @@ double height(const ParaboloidOptions& o, const double* x) {
   return (x[0] * x[0] + x[1] * x[1]) / (2.0 * o.radius);
 }
 
-MeshData body(const ParaboloidOptions& o) {
+mesh::MeshData body(const ParaboloidOptions& o) {
   const Axes axes = graded_axes(o, o.facets);
-  MeshData mesh = structured_block(axes.side, axes.side, axes.away, "paraboloid",
-                                   {"x0", "x1", "y0", "y1", "", "top"});
+  mesh::MeshData mesh = structured_block(axes.side, axes.side, axes.away, "paraboloid",
+                                         {"x0", "x1", "y0", "y1", "", "top"});
   const double reach = 2.0 * o.core * (1.0 + 1e-9);
   add_side_set(mesh, "contact", [&](Global n) {
     const double* x = &mesh.x[3 * n];
@@ -45,7 +45,7 @@ MeshData body(const ParaboloidOptions& o) {
   return mesh;
 }
 
-MeshData plate(const ParaboloidOptions& o) {
+mesh::MeshData plate(const ParaboloidOptions& o) {
   if (o.plate_facets == 0) {
     const std::vector<double> side = uniform_axis(-o.core, 2.5 * o.core, 1);
     return structured_block(side, side, uniform_axis(-o.core, 0.0, 1), "plate",
@@ -62,12 +62,12 @@ MeshData plate(const ParaboloidOptions& o) {
 
 } // namespace
 
-MeshData paraboloid(const ParaboloidOptions& o) {
+mesh::MeshData paraboloid(const ParaboloidOptions& o) {
   if (!(o.radius > 0.0))
     throw InputError("radius must be positive");
   if (o.facets < 1 || o.plate_facets < 0 || !(o.core > 0.0) || o.core > o.size)
     throw InputError("a paraboloid needs facets >= 1, plate_facets >= 0 and 0 < core <= size");
-  MeshData mesh = body(o);
+  mesh::MeshData mesh = body(o);
   append(mesh, plate(o));
   mesh.title = "paraboloid on a plate";
   node_sets_from_side_sets(mesh);
@@ -75,4 +75,4 @@ MeshData paraboloid(const ParaboloidOptions& o) {
   return mesh;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/mesh/generators.hpp"
+#include "abut/meshgen/generators.hpp"
 
 #include "abut/core/error.hpp"
-#include "abut/mesh/convert.hpp"
-#include "abut/mesh/graded_axis.hpp"
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/convert.hpp"
+#include "abut/meshgen/graded_axis.hpp"
+#include "abut/meshgen/merge.hpp"
 #include "structured.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -34,7 +34,7 @@ void turn_about(double* x, double cx, double cy, double degrees) {
 }
 
 /// Turns the nodes inside the outline; the angle fades to zero on the outline and at the top.
-void swirl(MeshData& mesh, const Size& size, const Size& origin, double degrees) {
+void swirl(mesh::MeshData& mesh, const Size& size, const Size& origin, double degrees) {
   if (degrees == 0.0)
     return;
   if (std::abs(degrees) > 30.0)
@@ -57,10 +57,10 @@ Vec3 onto_circle(const Vec3& centre, const Vec3* corners, int count) {
   return {{centre[0] * radius / now, centre[1] * radius / now, centre[2]}};
 }
 
-MeshData ring(double inner, double outer, int n_theta, int n_r, const RingsOptions& o,
-              const std::string& name) {
+mesh::MeshData ring(double inner, double outer, int n_theta, int n_r, const RingsOptions& o,
+                    const std::string& name) {
   SideNames sides{name + "_inner", name + "_outer", "y0", "x0", "z0", "z1"};
-  MeshData mesh =
+  mesh::MeshData mesh =
       structured_block(uniform_axis(inner, outer, n_r), uniform_axis(0.0, 90.0, n_theta),
                        uniform_axis(0.0, o.thickness, o.thickness_divisions), name, sides);
   for (std::size_t i = 0; i < mesh.x.size(); i += 3) {
@@ -73,7 +73,7 @@ MeshData ring(double inner, double outer, int n_theta, int n_r, const RingsOptio
 }
 
 /// Lowers the flanks of the top of the first block, and all below it in proportion.
-void lower_flanks(MeshData& mesh, const BlockPairOptions& o) {
+void lower_flanks(mesh::MeshData& mesh, const BlockPairOptions& o) {
   const double middle = 0.5 * o.lower_size[0], height = o.lower_size[2];
   std::vector<char> done(mesh.x.size() / 3, 0);
   for (const Global node : mesh.blocks[0].nodes) {
@@ -88,11 +88,11 @@ void lower_flanks(MeshData& mesh, const BlockPairOptions& o) {
 
 } // namespace
 
-MeshData box(const BoxOptions& o) {
+mesh::MeshData box(const BoxOptions& o) {
   const Axes axes = uniform_axes(o.size, o.divisions, o.origin);
   const std::string& p = o.prefix;
-  MeshData mesh = structured_block(axes.x, axes.y, axes.z, o.name,
-                                   {p + "x0", p + "x1", p + "y0", p + "y1", p + "z0", p + "z1"});
+  mesh::MeshData mesh = structured_block(
+      axes.x, axes.y, axes.z, o.name, {p + "x0", p + "x1", p + "y0", p + "y1", p + "z0", p + "z1"});
   distort(mesh, axes.x, axes.y, axes.z, o.distortion, 1);
   mesh = convert(mesh, o.element);
   mesh.title = "box";
@@ -100,19 +100,19 @@ MeshData box(const BoxOptions& o) {
   return mesh;
 }
 
-MeshData block_pair(const BlockPairOptions& o) {
+mesh::MeshData block_pair(const BlockPairOptions& o) {
   const auto sides = [](const std::string& b, const std::string& z0, const std::string& z1) {
     return SideNames{b + "_x0", b + "_x1", b + "_y0", b + "_y1", b + z0, b + z1};
   };
   const Axes lower_axes = uniform_axes(o.lower_size, o.lower_divisions, {0, 0, -o.lower_size[2]});
-  MeshData mesh = structured_block(lower_axes.x, lower_axes.y, lower_axes.z, "lower",
-                                   sides("lower", "_bottom", "_top"));
+  mesh::MeshData mesh = structured_block(lower_axes.x, lower_axes.y, lower_axes.z, "lower",
+                                         sides("lower", "_bottom", "_top"));
   distort(mesh, lower_axes.x, lower_axes.y, lower_axes.z, o.distortion, 1);
 
   const Size corner{0.5 * (o.lower_size[0] - o.upper_size[0]) + o.shift,
                     0.5 * (o.lower_size[1] - o.upper_size[1]), o.gap};
   const Axes axes = uniform_axes(o.upper_size, o.upper_divisions, corner);
-  MeshData upper =
+  mesh::MeshData upper =
       structured_block(axes.x, axes.y, axes.z, "upper", sides("upper", "_bottom", "_top"));
   distort(upper, axes.x, axes.y, axes.z, o.distortion, 2);
   swirl(upper, o.upper_size, corner, o.rotation);
@@ -128,10 +128,11 @@ MeshData block_pair(const BlockPairOptions& o) {
   return mesh;
 }
 
-MeshData rings(const RingsOptions& o) {
+mesh::MeshData rings(const RingsOptions& o) {
   if (!(o.inner_radius > 0.0))
     throw InputError("inner_radius must be positive");
-  MeshData mesh = ring(o.inner_radius, o.interface_radius, o.inner_theta, o.inner_r, o, "inner");
+  mesh::MeshData mesh =
+      ring(o.inner_radius, o.interface_radius, o.inner_theta, o.inner_r, o, "inner");
   append(mesh,
          ring(o.interface_radius + o.gap, o.outer_radius, o.outer_theta, o.outer_r, o, "outer"));
   mesh.title = "two quarter rings";
@@ -139,7 +140,7 @@ MeshData rings(const RingsOptions& o) {
   return mesh;
 }
 
-MeshData hertz_block(const HertzBlockOptions& o) {
+mesh::MeshData hertz_block(const HertzBlockOptions& o) {
   if (o.facets < 1 || !(o.core > 0.0) || o.core > o.size)
     throw InputError("hertz_block needs facets >= 1 and 0 < core <= size");
   const double depth = o.depth < 0.0 ? 0.125 * o.core : o.depth;
@@ -152,7 +153,8 @@ MeshData hertz_block(const HertzBlockOptions& o) {
   std::vector<double> z;
   for (auto d = down.rbegin(); d != down.rend(); ++d)
     z.push_back(-*d + 0.0);
-  MeshData mesh = structured_block(x, x, z, "block", {"x0", "x1", "y0", "y1", "bottom", "top"});
+  mesh::MeshData mesh =
+      structured_block(x, x, z, "block", {"x0", "x1", "y0", "y1", "bottom", "top"});
   const Global origin = static_cast<Global>(x.size() * x.size() * (z.size() - 1));
   const double reach = 2.0 * o.core * (1.0 + 1e-9);
   add_side_set(mesh, "contact", [&](Global n) {
@@ -166,4 +168,4 @@ MeshData hertz_block(const HertzBlockOptions& o) {
   return mesh;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

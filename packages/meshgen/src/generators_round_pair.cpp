@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/mesh/contact_generators.hpp"
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/contact_generators.hpp"
+#include "abut/meshgen/merge.hpp"
 
 #include <map>
 #include <string>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -23,13 +23,13 @@ template <class Round> Round one_body(const RoundPairOptions& o, double radius, 
   return r;
 }
 
-void rename_set(MeshData& mesh, const std::string& from, const std::string& to) {
+void rename_set(mesh::MeshData& mesh, const std::string& from, const std::string& to) {
   auto set = mesh.side_sets.extract(from);
   set.key() = to;
   mesh.side_sets.insert(std::move(set));
 }
 
-void name_parts(MeshData& mesh, const std::string& body, const std::string& flat) {
+void name_parts(mesh::MeshData& mesh, const std::string& body, const std::string& flat) {
   mesh.blocks[0].name = body;
   mesh.node_sets.clear();
   rename_set(mesh, "contact", body + "_contact");
@@ -40,13 +40,13 @@ void name_parts(MeshData& mesh, const std::string& body, const std::string& flat
 /// Turned about a horizontal line by 180 degrees, so that no element changes its hand; the two sets
 /// that change places keep what their names say.
 template <class Turn>
-void turn_over(MeshData& mesh, const std::string& one, const std::string& other, Turn turn) {
+void turn_over(mesh::MeshData& mesh, const std::string& one, const std::string& other, Turn turn) {
   for (std::size_t i = 0; i < mesh.x.size(); i += 3)
     turn(&mesh.x[i]);
   std::swap(mesh.side_sets[one], mesh.side_sets[other]);
 }
 
-MeshData joined(MeshData upper, MeshData lower, const std::string& title) {
+mesh::MeshData joined(mesh::MeshData upper, mesh::MeshData lower, const std::string& title) {
   name_parts(upper, "upper", "upper_top");
   name_parts(lower, "lower", "lower_bottom");
   append(upper, lower);
@@ -57,8 +57,8 @@ MeshData joined(MeshData upper, MeshData lower, const std::string& title) {
 
 } // namespace
 
-MeshData sphere_pair(const RoundPairOptions& o) {
-  MeshData lower = quarter_sphere(one_body<RoundOptions>(o, o.lower_radius, o.lower_facets));
+mesh::MeshData sphere_pair(const RoundPairOptions& o) {
+  mesh::MeshData lower = quarter_sphere(one_body<RoundOptions>(o, o.lower_radius, o.lower_facets));
   turn_over(lower, "x0", "y0", [](double* x) {
     std::swap(x[0], x[1]);
     x[2] = 0.0 - x[2];
@@ -67,14 +67,14 @@ MeshData sphere_pair(const RoundPairOptions& o) {
                 std::move(lower), "two quarter balls");
 }
 
-MeshData cylinder_pair(const CylinderPairOptions& o) {
+mesh::MeshData cylinder_pair(const CylinderPairOptions& o) {
   const auto body = [&](double radius, int facets) {
     auto r = one_body<CylinderOptions>(o, radius, facets);
     r.thickness = o.thickness;
     r.thickness_divisions = o.thickness_divisions;
     return quarter_cylinder(r);
   };
-  MeshData lower = body(o.lower_radius, o.lower_facets);
+  mesh::MeshData lower = body(o.lower_radius, o.lower_facets);
   turn_over(lower, "y0", "y1", [&](double* x) {
     x[1] = o.thickness - x[1];
     x[2] = 0.0 - x[2];
@@ -82,4 +82,4 @@ MeshData cylinder_pair(const CylinderPairOptions& o) {
   return joined(body(o.upper_radius, o.upper_facets), std::move(lower), "two quarter cylinders");
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

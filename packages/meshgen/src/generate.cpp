@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/mesh/generate.hpp"
+#include "abut/meshgen/generate.hpp"
 
 #include "abut/core/error.hpp"
-#include "abut/mesh/contact_generators.hpp"
-#include "abut/mesh/generators.hpp"
+#include "abut/meshgen/contact_generators.hpp"
+#include "abut/meshgen/generators.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <type_traits>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -273,8 +273,8 @@ void bind(Binder& b, PunchOptions& o) {
 
 /// Makes the mesh, or only lists the keys when `keys` is given.
 template <class Options>
-MeshData run(const Written& written, MeshData (*make)(const Options&),
-             std::vector<GeneratorKey>* keys) {
+mesh::MeshData run(const Written& written, mesh::MeshData (*make)(const Options&),
+                   std::vector<GeneratorKey>* keys) {
   Options options;
   Binder binder(written);
   bind(binder, options);
@@ -286,8 +286,8 @@ MeshData run(const Written& written, MeshData (*make)(const Options&),
   return make(options);
 }
 
-MeshData dispatch(const std::string& kind, const Written& written,
-                  std::vector<GeneratorKey>* keys) {
+mesh::MeshData dispatch(const std::string& kind, const Written& written,
+                        std::vector<GeneratorKey>* keys) {
   if (kind == "box")
     return run(written, &box, keys);
   if (kind == "blocks")
@@ -330,7 +330,8 @@ std::vector<GeneratorKey> generator_keys(const std::string& kind) {
   return keys;
 }
 
-MeshData generate(const std::string& kind, const std::map<std::string, std::string>& options) {
+mesh::MeshData generate(const std::string& kind,
+                        const std::map<std::string, std::string>& options) {
   generator_keys(kind); // the kind is known
   try {
     return dispatch(kind, options, nullptr);
@@ -347,4 +348,4 @@ fem::CellType cell_type_from_name(const std::string& name) {
   return cell_types[found - cell_names.begin()];
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

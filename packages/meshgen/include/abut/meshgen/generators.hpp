@@ -9,7 +9,7 @@
 
 /// Meshes of simple bodies. Every side set has a node set of the same name; lengths are in the
 /// user's unit, angles in degrees. All throw InputError for sizes or counts that make no mesh.
-namespace abut::mesh {
+namespace abut::meshgen {
 
 using Size = std::array<double, 3>;
 using Divisions = std::array<int, 3>;
@@ -25,7 +25,7 @@ struct BoxOptions {
 };
 
 /// Sets: x0, x1, y0, y1, z0, z1.
-MeshData box(const BoxOptions& options);
+mesh::MeshData box(const BoxOptions& options);
 
 struct BlockPairOptions {
   Size lower_size{1.0, 1.0, 1.0};
@@ -45,7 +45,7 @@ struct BlockPairOptions {
 /// Two boxes with nodes of their own: block `lower` on [0,a] x [0,b] x [-c,0], block `upper`
 /// centred above it from z = gap. Sets: lower_top, upper_bottom, and for each block
 /// BLOCK_x0, BLOCK_x1, BLOCK_y0, BLOCK_y1, lower_bottom, upper_top.
-MeshData block_pair(const BlockPairOptions& options);
+mesh::MeshData block_pair(const BlockPairOptions& options);
 
 struct RoundOptions {
   double radius = 1.0;
@@ -67,7 +67,7 @@ struct RoundOptions {
 /// pole. Sets: contact (curved faces within 2 core of the pole), curved, top, x0, y0; the node set
 /// `pole`; with a plate plate_top, plate_bottom. The plate reaches 0.5 core beyond the symmetry
 /// planes so that no point at x = 0 or y = 0 projects on its edge. No wedge6.
-MeshData quarter_sphere(const RoundOptions& options);
+mesh::MeshData quarter_sphere(const RoundOptions& options);
 
 struct CylinderOptions : RoundOptions {
   double thickness = 0.1; ///< along y
@@ -76,7 +76,7 @@ struct CylinderOptions : RoundOptions {
 
 /// Block `cylinder`: the quarter x >= 0, z <= gap + radius of a cylinder along y that rests on the
 /// plane z = gap, a slab 0 <= y <= thickness. Sets as for quarter_sphere, and y1.
-MeshData quarter_cylinder(const CylinderOptions& options);
+mesh::MeshData quarter_cylinder(const CylinderOptions& options);
 
 struct RingsOptions {
   double inner_radius = 1.0;     ///< of the inner ring
@@ -92,7 +92,7 @@ struct RingsOptions {
 
 /// Two quarter rings x >= 0, y >= 0 with nodes on true circles: blocks `inner`, `outer`. Sets:
 /// inner_inner, inner_outer, outer_inner, outer_outer (ring, face), and of both x0, y0, z0, z1.
-MeshData rings(const RingsOptions& options);
+mesh::MeshData rings(const RingsOptions& options);
 
 struct HertzBlockOptions {
   double size = 1.0;     ///< edge length
@@ -106,6 +106,6 @@ struct HertzBlockOptions {
 
 /// Block `block` on [0,size] x [0,size] x [-size,0], refined at the origin. Sets: top, contact (top
 /// faces within 2 core of the origin), bottom, x0, x1, y0, y1; the node set `origin`.
-MeshData hertz_block(const HertzBlockOptions& options);
+mesh::MeshData hertz_block(const HertzBlockOptions& options);
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

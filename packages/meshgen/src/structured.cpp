@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 void require_cells(double cells, double most) {
   if (cells <= most)
@@ -18,12 +18,12 @@ void require_cells(double cells, double most) {
   throw InputError(text.str());
 }
 
-MeshData structured_block(const std::vector<double>& x, const std::vector<double>& y,
-                          const std::vector<double>& z, const std::string& name,
-                          const SideNames& sides) {
+mesh::MeshData structured_block(const std::vector<double>& x, const std::vector<double>& y,
+                                const std::vector<double>& z, const std::string& name,
+                                const SideNames& sides) {
   require_cells(static_cast<double>(x.size()) * static_cast<double>(y.size()) *
                 static_cast<double>(z.size()));
-  MeshData mesh;
+  mesh::MeshData mesh;
   for (double c : z)
     for (double b : y)
       for (double a : x)
@@ -32,7 +32,7 @@ MeshData structured_block(const std::vector<double>& x, const std::vector<double
   const Global nx = static_cast<Global>(x.size()), ny = static_cast<Global>(y.size());
   const Global cells[3] = {nx - 1, ny - 1, static_cast<Global>(z.size()) - 1};
   const Global corner[8] = {0, 1, 1 + nx, nx, nx * ny, nx * ny + 1, nx * ny + 1 + nx, nx * ny + nx};
-  BlockData block;
+  mesh::BlockData block;
   block.id = 1;
   block.name = name;
   for (Global k = 0; k < cells[2]; ++k)
@@ -61,7 +61,7 @@ MeshData structured_block(const std::vector<double>& x, const std::vector<double
   return mesh;
 }
 
-void distort(MeshData& mesh, const std::vector<double>& x, const std::vector<double>& y,
+void distort(mesh::MeshData& mesh, const std::vector<double>& x, const std::vector<double>& y,
              const std::vector<double>& z, double fraction, unsigned seed) {
   if (fraction == 0.0)
     return;
@@ -84,4 +84,4 @@ void distort(MeshData& mesh, const std::vector<double>& x, const std::vector<dou
         }
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

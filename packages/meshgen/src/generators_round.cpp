@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/mesh/convert.hpp"
-#include "abut/mesh/generators.hpp"
-#include "abut/mesh/graded_axis.hpp"
-#include "abut/mesh/merge.hpp"
+#include "abut/meshgen/convert.hpp"
+#include "abut/meshgen/generators.hpp"
+#include "abut/meshgen/graded_axis.hpp"
+#include "abut/meshgen/merge.hpp"
 #include "structured.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <map>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -108,7 +108,7 @@ public:
     nodes.insert(nodes.end(), n.begin(), n.end());
   }
 
-  MeshData& mesh() { return mesh_; }
+  mesh::MeshData& mesh() { return mesh_; }
   const Place& place(Global node) const { return places_[static_cast<std::size_t>(node)]; }
 
 private:
@@ -122,7 +122,7 @@ private:
     return entry->second;
   }
 
-  MeshData mesh_;
+  mesh::MeshData mesh_;
   Position position_;
   std::map<Place, Global> number_;
   std::vector<Place> places_;
@@ -146,7 +146,7 @@ template <class F> void add_cells(Builder& builder, int na, int nb, int nc, cons
 }
 
 void add_common_side_sets(Builder& builder, const RoundOptions& o, int shells, bool sphere) {
-  MeshData& mesh = builder.mesh();
+  mesh::MeshData& mesh = builder.mesh();
   const auto curved = [&](Global n) { return builder.place(n).shell == shells; };
   const double reach = 2.0 * o.core * (1.0 + 1e-9);
   add_side_set(mesh, "curved", curved);
@@ -158,10 +158,10 @@ void add_common_side_sets(Builder& builder, const RoundOptions& o, int shells, b
   add_side_set(mesh, "x0", [&](Global n) { return builder.place(n).i == 0; });
 }
 
-void add_plate(MeshData& mesh, const RoundOptions& o, double y0, double y1, int y_divisions) {
+void add_plate(mesh::MeshData& mesh, const RoundOptions& o, double y0, double y1, int y_divisions) {
   const double reach = o.plate_size > 0.0 ? o.plate_size : 2.5 * o.core;
   const double thickness = o.plate_thickness > 0.0 ? o.plate_thickness : o.core;
-  const MeshData plate = structured_block(
+  const mesh::MeshData plate = structured_block(
       uniform_axis(-0.5 * o.core, reach, o.plate_divisions), uniform_axis(y0, y1, y_divisions),
       uniform_axis(-thickness, 0.0, 1), "plate", {"", "", "", "", "plate_bottom", "plate_top"});
   append(mesh, plate);
@@ -183,7 +183,7 @@ Projection onto_surface(double radius, double height, const Vec3& along) {
 
 } // namespace
 
-MeshData quarter_sphere(const RoundOptions& o) {
+mesh::MeshData quarter_sphere(const RoundOptions& o) {
   const Grid g = make_grid(o);
   const int n = g.lateral(), m = g.vertical(), shells = g.shells();
   const double height = o.gap + o.radius;
@@ -202,7 +202,7 @@ MeshData quarter_sphere(const RoundOptions& o) {
   if (o.element == fem::CellType::wedge6)
     throw InputError("a sphere cannot be made of wedge6 cells: it is not a stack of layers; use "
                      "hex8, hex20, hex27, tet4 or tet10");
-  MeshData mesh =
+  mesh::MeshData mesh =
       convert(builder.mesh(), o.element, onto_surface(o.radius, height, {{1.0, 1.0, 1.0}}));
   if (o.plate)
     add_plate(mesh, o, -0.5 * o.core, o.plate_size > 0.0 ? o.plate_size : 2.5 * o.core,
@@ -213,7 +213,7 @@ MeshData quarter_sphere(const RoundOptions& o) {
   return mesh;
 }
 
-MeshData quarter_cylinder(const CylinderOptions& o) {
+mesh::MeshData quarter_cylinder(const CylinderOptions& o) {
   const Grid g = make_grid(o);
   const int n = g.lateral(), m = g.vertical(), shells = g.shells();
   const double height = o.gap + o.radius;
@@ -234,7 +234,7 @@ MeshData quarter_cylinder(const CylinderOptions& o) {
   add_side_set(builder.mesh(), "y0", [&](Global node) { return builder.place(node).j == 0; });
   add_side_set(builder.mesh(), "y1", [&](Global node) { return builder.place(node).j == layers; });
 
-  MeshData mesh =
+  mesh::MeshData mesh =
       convert(builder.mesh(), o.element, onto_surface(o.radius, height, {{1.0, 0.0, 1.0}}));
   if (o.plate)
     add_plate(mesh, o, 0.0, o.thickness, o.thickness_divisions);
@@ -249,4 +249,4 @@ MeshData quarter_cylinder(const CylinderOptions& o) {
   return mesh;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/mesh/graded_axis.hpp"
+#include "abut/meshgen/graded_axis.hpp"
 
 #include "abut/core/error.hpp"
 #include "structured.hpp"
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::vector<double> uniform_axis(double first, double last, int cells) {
   return x;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/mesh/convert.hpp"
+#include "abut/meshgen/convert.hpp"
 
 #include "abut/core/error.hpp"
-#include "cell_edges.hpp"
+#include "abut/fem/cell_edges.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
 
-namespace abut::mesh {
+namespace abut::meshgen {
 
 namespace {
 
@@ -56,9 +56,9 @@ Split split_into_wedges(const std::vector<Global>& hexes) {
 }
 
 /// Each face between two hexes must be cut in both along the same diagonal, or in neither.
-void require_wedges_fit(const MeshData& hex8) {
+void require_wedges_fit(const mesh::MeshData& hex8) {
   std::map<std::array<Global, 4>, std::array<Global, 2>> cut_of;
-  for (const BlockData& block : hex8.blocks)
+  for (const mesh::BlockData& block : hex8.blocks)
     for (std::size_t first = 0; first < block.nodes.size(); first += 8)
       for (int s = 0; s < 6; ++s) {
         const Global* h = &block.nodes[first];
@@ -79,11 +79,11 @@ void require_wedges_fit(const MeshData& hex8) {
       }
 }
 
-void split_side_sets(MeshData& mesh, const MeshData& hex8, CellType type, int pieces) {
+void split_side_sets(mesh::MeshData& mesh, const mesh::MeshData& hex8, CellType type, int pieces) {
   const fem::CellInfo& cell = fem::info(type);
   for (auto& [name, sides] : mesh.side_sets) {
-    std::vector<SideData> out;
-    for (const SideData& s : sides) {
+    std::vector<mesh::SideData> out;
+    for (const mesh::SideData& s : sides) {
       const Global* hex = &hex8.blocks[s.block].nodes[8 * s.element];
       const int* face = fem::side(CellType::hex8, s.side).nodes;
       const auto on_face = [&](Global n) {
@@ -105,7 +105,7 @@ void split_side_sets(MeshData& mesh, const MeshData& hex8, CellType type, int pi
 /// Nodes between corners, made once for all cells that share them.
 class MidNodes {
 public:
-  MidNodes(MeshData& mesh, const Projection& project) : mesh_(mesh), project_(project) {}
+  MidNodes(mesh::MeshData& mesh, const Projection& project) : mesh_(mesh), project_(project) {}
 
   /// corners: the 2 ends of an edge, 4 corners of a face or 8 of a cell.
   Global between(const Global* corners, int count) {
@@ -129,14 +129,14 @@ public:
   }
 
 private:
-  MeshData& mesh_;
+  mesh::MeshData& mesh_;
   const Projection& project_;
   std::map<std::array<Global, 8>, Global> node_;
 };
 
 std::vector<Global> add_mid_nodes(const std::vector<Global>& cells, CellType type, MidNodes& mid) {
   const int corners = fem::info(type).corners;
-  const CellEdges edges = corners == 4 ? tet_edges() : hex_edges();
+  const fem::CellEdges edges = corners == 4 ? fem::tet_edges() : fem::hex_edges();
   std::vector<Global> out;
   for (std::size_t first = 0; first < cells.size(); first += corners) {
     const Global* c = &cells[first];
@@ -161,11 +161,11 @@ std::vector<Global> add_mid_nodes(const std::vector<Global>& cells, CellType typ
 
 } // namespace
 
-MeshData convert(const MeshData& hex8, CellType type, const Projection& project) {
-  MeshData mesh = hex8;
+mesh::MeshData convert(const mesh::MeshData& hex8, CellType type, const Projection& project) {
+  mesh::MeshData mesh = hex8;
   if (type == CellType::hex8)
     return mesh;
-  for (const BlockData& b : hex8.blocks)
+  for (const mesh::BlockData& b : hex8.blocks)
     ABUT_REQUIRE(b.type == CellType::hex8 && b.element_id.empty(), "convert needs plain hex8");
 
   const int corners = fem::info(type).corners;
@@ -173,7 +173,7 @@ MeshData convert(const MeshData& hex8, CellType type, const Projection& project)
     if (corners == 6)
       require_wedges_fit(hex8);
     int pieces = 1;
-    for (BlockData& b : mesh.blocks) {
+    for (mesh::BlockData& b : mesh.blocks) {
       Split split = corners == 4 ? split_into_tets(b.nodes) : split_into_wedges(b.nodes);
       b.nodes = std::move(split.nodes);
       b.type = corners == 4 ? CellType::tet4 : CellType::wedge6;
@@ -183,7 +183,7 @@ MeshData convert(const MeshData& hex8, CellType type, const Projection& project)
   }
   if (fem::info(type).nodes > corners) {
     MidNodes mid(mesh, project);
-    for (BlockData& b : mesh.blocks) {
+    for (mesh::BlockData& b : mesh.blocks) {
       b.nodes = add_mid_nodes(b.nodes, type, mid);
       b.type = type;
     }
@@ -191,4 +191,4 @@ MeshData convert(const MeshData& hex8, CellType type, const Projection& project)
   return mesh;
 }
 
-} // namespace abut::mesh
+} // namespace abut::meshgen

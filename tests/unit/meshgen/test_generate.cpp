@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/mesh/generate.hpp"
 #include "abut/mesh/quality.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "mesh_checks.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 using namespace abut::mesh;
+using namespace abut::meshgen;
 using ::testing::HasSubstr;
 
 namespace {

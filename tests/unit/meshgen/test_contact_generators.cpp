@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/mesh/contact_generators.hpp"
 #include "abut/mesh/quality.hpp"
+#include "abut/meshgen/contact_generators.hpp"
 #include "mesh_checks.hpp"
 
 #include <gtest/gtest.h>
 
 using namespace abut_test;
 using namespace abut::mesh;
+using namespace abut::meshgen;
 
 namespace {
 
