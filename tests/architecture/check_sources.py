@@ -18,8 +18,12 @@ ALLOWED = {
     "search": {"core", "fem", "mesh"},
     "contact": {"core", "fem", "mesh", "search"},
     "solid": {"core", "fem", "mesh"},
-    "assembly": {"core", "mesh"},
+    "unknowns": {"core", "mesh"},
+    "rigid": {"core", "mesh", "unknowns"},
+    "assembly": {"core", "mesh", "unknowns", "rigid"},
     "solver": {"core", "mesh", "assembly"},
+    "scene": {"core", "fem", "mesh", "io", "contact", "solid", "unknowns", "rigid", "assembly",
+              "solver"},
     "febio": {"core", "fem", "mesh"},
     "deck": {"core"},  # and everybody's options.hpp
 }

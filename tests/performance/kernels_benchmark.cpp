@@ -33,7 +33,7 @@ struct Blocks {
   std::shared_ptr<contact::Interaction> contact;
 
   explicit Blocks(int n)
-      : mesh(make_mesh(n)), system(assembly::DofMap(mesh, {"x", "y", "z"}), timers) {
+      : mesh(make_mesh(n)), system(unknowns::DofMap(mesh, {"x", "y", "z"}), timers) {
     solid::MaterialOptions material;
     material.young = 1.0;
     material.poisson = 0.3;
@@ -92,7 +92,7 @@ void pattern(benchmark::State& state) {
   Vector x(blocks.system.dofs().map());
   blocks.system.tangent(x);
   std::vector<Connectivity> cells{blocks.contact->candidates(), blocks.contact->connectivity()};
-  assembly::BlockPattern pattern(blocks.system.dofs());
+  unknowns::BlockPattern pattern(blocks.system.dofs());
   for (auto _ : state)
     pattern.build({&cells[0], &cells[1]});
 }

@@ -17,7 +17,7 @@ struct Box {
   assembly::EquationSystem system;
 
   explicit Box(solid::MaterialModel model)
-      : mesh(make_mesh()), system(assembly::DofMap(mesh, {"x", "y", "z"}), timers) {
+      : mesh(make_mesh()), system(unknowns::DofMap(mesh, {"x", "y", "z"}), timers) {
     solid::MaterialOptions material;
     material.model = model;
     material.young = 2.0;
@@ -97,7 +97,7 @@ TEST(EquationSystem, SameNormsOnAnyNumberOfRanks) {
     const mesh::Mesh whole = mesh::distribute(
         meshgen::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}}), alone);
     PhaseTimers timers;
-    assembly::EquationSystem system(assembly::DofMap(whole, {"x", "y", "z"}), timers);
+    assembly::EquationSystem system(unknowns::DofMap(whole, {"x", "y", "z"}), timers);
     solid::MaterialOptions material;
     material.young = 2.0;
     material.poisson = 0.3;
