@@ -156,6 +156,21 @@ void Contributions::add_tangent_of(std::size_t part, const NodalFields& fields,
   dofs_.mesh().comm.together([&] { add_tangent(parts_[part], fields, bodies, values); });
 }
 
+void Contributions::begin_step() {
+  for (Part& p : parts_)
+    p.contribution->begin_step();
+}
+
+void Contributions::begin_solve(SolveKind kind) {
+  for (Part& p : parts_)
+    p.contribution->begin_solve(kind);
+}
+
+void Contributions::iterate_taken() {
+  for (Part& p : parts_)
+    p.contribution->iterate_taken();
+}
+
 void Contributions::accept() {
   for (Part& p : parts_)
     p.contribution->accept();
@@ -175,6 +190,13 @@ double Contributions::round_off_force2() const {
   double sum = 0.0;
   for (const Part& p : parts_)
     sum += p.contribution->round_off_force2();
+  return sum;
+}
+
+long Contributions::state_version() const {
+  long sum = 0;
+  for (const Part& p : parts_)
+    sum += p.contribution->state_version();
   return sum;
 }
 

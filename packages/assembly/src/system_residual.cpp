@@ -29,8 +29,6 @@ double EquationSystem::add_joint_forces(std::vector<double>& residual) {
 }
 
 void EquationSystem::residual(const Vector& x, Vector& f) {
-  if (predicted_)
-    prepared_ = predicted_ = false; // what was made for the prediction holds no longer
   prepare(x);
   if (last_.is_null())
     last_ = rcp(new Vector(dofs_.map()));

@@ -45,12 +45,17 @@ public:
   void add_tangent_of(std::size_t part, const NodalFields& fields, rigid::Bodies& bodies,
                       double* values);
 
+  // Events; see Contribution.
+  void begin_step();
+  void begin_solve(SolveKind kind);
+  void iterate_taken();
   void accept();
   void reject();
 
   // Not collective; of this rank where it says so.
   bool symmetric() const;
   double round_off_force2() const; ///< see Contribution; of this rank
+  long state_version() const;      ///< of all; grows with every change; of this rank
   int unsettled() const;           ///< how many; of this rank
 
 private:

@@ -15,9 +15,6 @@ struct NodalFields {
   const double* u = nullptr; ///< (N, fields) unknowns; the displacement comes first [length]
   int fields = 0;            ///< unknowns per node
   double time = 0.0;         ///< load parameter
-  /// u is the last step's while loads and prescribed bodies are already the next one's: what is
-  /// made of it only predicts the step.
-  bool prediction = false;
 };
 
 /// Cells as lists of global mesh node ids, in CRS form: cell i has the nodes
@@ -36,6 +33,15 @@ struct Connectivity {
     offsets.assign(1, 0);
     nodes.clear();
   }
+};
+
+/// What a solve is for.
+enum class SolveKind {
+  /// One linear solve that moves the last state along with the new loads: u is the last step's
+  /// while loads and prescribed bodies are already the next one's.
+  prediction,
+  newton,             ///< Newton's iteration of a step
+  after_augmentation, ///< the same again, after multipliers have changed
 };
 
 /// A sum of small dense blocks over cells of a few nodes: the one thing that assembly knows of any
@@ -81,6 +87,23 @@ public:
   /// Whether the last prepared residual follows the true laws on this rank; false while a law
   /// stands in for another on the way there. A solve does not end before all are settled.
   virtual bool settled() const { return true; }
+
+  // Events. A residual is a function of the unknowns, the converged history and the iterate state;
+  // only these, and what changes multipliers, change the latter two. In their order:
+  //   begin_step
+  //   begin_solve(prediction)
+  //   begin_solve(newton), iterate_taken for each iterate that Newton goes on from
+  //   begin_solve(after_augmentation), iterates again, as often as multipliers change
+  //   accept or reject
+  // Evaluations between them (trials of a line search, a second tangent, a check of the tangent)
+  // leave no trace.
+
+  virtual void begin_step() {} ///< a step from the last accepted state, or another attempt at it
+  virtual void begin_solve(SolveKind) {}
+  /// Newton has linearised at the last prepared unknowns and goes on from there.
+  virtual void iterate_taken() {}
+  /// Grows with every change of the state that the next residual depends on beside u and time.
+  virtual long state_version() const { return 0; }
 
   virtual void accept() {} ///< the step converged: trial state becomes history
   virtual void reject() {} ///< the step failed: trial state is dropped
