@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.hpp"
 
-#include "dynamics.hpp"
 #include "model.hpp"
-#include "supports.hpp"
 
 #include "abut/core/trilinos.hpp"
+#include "abut/scene/masses.hpp"
+#include "abut/scene/names.hpp"
+#include "abut/scene/supports.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -40,7 +41,7 @@ std::string explain_window(const Window& window) {
 
 /// What of a rigid body moves how. Collective.
 std::string explain_rigid(const Model& m, std::size_t body) {
-  const solid::BodyOptions& options = m.deck.bodies[body];
+  const scene::BodyOptions& options = m.deck.bodies[body];
   std::size_t index = 0;
   while (m.rigid_bodies[index].name != options.name)
     ++index;
@@ -52,7 +53,7 @@ std::string explain_rigid(const Model& m, std::size_t body) {
     if (options.motion.free[i])
       free += std::string(" ") + (i < 3 ? "" : "r") + "xyz"[i % 3];
   std::string held;
-  for (const solid::RigidHold& hold : options.motion.holds)
+  for (const rigid::HoldOptions& hold : options.motion.holds)
     held += ", '" + hold.name + "' holds it" + explain_window(hold.window);
   return fmt::format(
       "{} nodes, {}{}", m.comm.sum(nodes),
@@ -110,7 +111,7 @@ std::string explain_material(const solid::MaterialOptions& o) {
 void explain_bodies(const Model& m, const Printer& print) {
   print("bodies:");
   for (std::size_t i = 0; i < m.deck.bodies.size(); ++i) {
-    const solid::BodyOptions& body = m.deck.bodies[i];
+    const scene::BodyOptions& body = m.deck.bodies[i];
     Global elements = 0;
     std::map<std::string, Global> types;
     for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b) {
@@ -126,7 +127,8 @@ void explain_bodies(const Model& m, const Printer& print) {
     print("  {}: {} elements ({} ), {}", body.name, elements, kinds,
           body.rigid ? explain_rigid(m, i) : "material " + body.material);
     if (m.inertia)
-      print("    mass {:.6g}", body.motion.mass.value_or(body_mass(m, i).mass));
+      print("    mass {:.6g}",
+            body.motion.mass.value_or(scene::body_mass(m.deck, *m.mesh, m.body_of_block, i).mass));
   }
   for (const auto& material : m.deck.materials)
     print("material {}: {}", material.name, explain_material(material));
@@ -134,7 +136,7 @@ void explain_bodies(const Model& m, const Printer& print) {
 
 void explain_joints(const Model& m, const Printer& print) {
   for (std::size_t j = 0; j < m.joints.size(); ++j) {
-    const assembly::RigidJoint& joint = m.joints[j];
+    const rigid::Joint& joint = m.joints[j];
     const auto count = std::count(joint.held.begin(), joint.held.end(), true);
     print("joint {}: of '{}' against '{}', {}", joint.name, m.deck.joints[j].bodies[1],
           m.deck.joints[j].bodies[0],
@@ -147,7 +149,7 @@ void explain_supports(const Model& m, const Printer& print) {
   print("supports:");
   for (const auto& d : m.deck.displacements) {
     Global nodes = 0;
-    for (Local n : nodes_of_set(*m.mesh, d.set))
+    for (Local n : scene::nodes_of_set(*m.mesh, d.set))
       nodes += n < m.mesh->num_owned;
     std::string parts;
     for (std::size_t i = 0; i < 3; ++i)
@@ -158,12 +160,13 @@ void explain_supports(const Model& m, const Printer& print) {
     print("  {}: {} nodes of '{}',{}{}{}", d.name, m.comm.sum(nodes), d.set, parts,
           d.relative ? ", relative" : "", explain_window(d.window));
   }
-  const auto free = m.deck.dynamics.active ? std::vector<FreePiece>() : free_pieces(m);
+  const auto free =
+      m.deck.dynamics.active ? std::vector<scene::FreePiece>() : scene::free_pieces(m.deck, m);
   if (m.deck.dynamics.active)
     print("  bodies move by inertia: none has to be held");
   else if (free.empty())
     print("  every body is held");
-  for (const FreePiece& piece : free)
+  for (const scene::FreePiece& piece : free)
     for (const std::string& motion : piece.motions)
       print("  FREE: body '{}' can move: {}", piece.body, motion);
 }
@@ -232,7 +235,8 @@ void check(const std::string& deck_file) {
   for (const std::string& warning : m->warnings)
     print("WARNING: {}", warning);
   if (!m->deck.dynamics.active)
-    require_supports(*m);
+    scene::require_supports(m->deck, *m,
+                            [&](const std::string& key) { return m->deck.where(key); });
   print("the deck is valid");
 }
 

@@ -3,8 +3,8 @@
 
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
-#include "abut/mesh/generate.hpp"
 #include "abut/mesh/quality.hpp"
+#include "abut/meshgen/generate.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -46,9 +46,9 @@ std::map<std::string, std::string> read_options(const std::vector<std::string>& 
 
 std::string describe_kinds() {
   std::string text;
-  for (const std::string& kind : mesh::generator_kinds()) {
+  for (const std::string& kind : meshgen::generator_kinds()) {
     text += "\n" + kind + "\n";
-    for (const mesh::GeneratorKey& key : mesh::generator_keys(kind))
+    for (const meshgen::GeneratorKey& key : meshgen::generator_keys(kind))
       text += "  --" + key.name +
               std::string(key.name.size() < 20 ? 20 - key.name.size() : 1, ' ') + key.help +
               (key.value.empty() ? "" : " [" + key.value + "]") + "\n";
@@ -57,7 +57,7 @@ std::string describe_kinds() {
 }
 
 void run(const Arguments& arguments, const std::vector<std::string>& words) {
-  const mesh::MeshData data = mesh::generate(arguments.kind, read_options(words));
+  const mesh::MeshData data = meshgen::generate(arguments.kind, read_options(words));
   io::write_mesh(arguments.output, data);
   std::printf("%s: %lld nodes, %lld elements, smallest scaled Jacobian %.3f\n",
               arguments.output.c_str(), data.num_nodes(), data.num_elements(),

@@ -2,18 +2,18 @@
 #include "run_command.hpp"
 
 #include "augmentation.hpp"
-#include "dynamics.hpp"
 #include "points_file.hpp"
 #include "progress.hpp"
-#include "results.hpp"
 #include "summary.hpp"
-#include "supports.hpp"
-#include "tangent_check.hpp"
 #include "verify.hpp"
-#include "windows.hpp"
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
+#include "abut/scene/results.hpp"
+#include "abut/scene/start_motion.hpp"
+#include "abut/scene/supports.hpp"
+#include "abut/scene/tangent_check.hpp"
+#include "abut/scene/windows.hpp"
 #include "abut/solver/assembled_system.hpp"
 #include "abut/solver/linear_solver.hpp"
 
@@ -69,7 +69,7 @@ void print_verdicts(Progress& progress, const std::vector<Verdict>& verdicts) {
 /// What may be the reason for a step that fails right after t.
 std::string changes_at(const Model& m, double t) {
   std::string list;
-  for (const std::string& path : windows_at(m.deck, t))
+  for (const std::string& path : scene::windows_at(m.deck, t))
     list += (list.empty() ? "" : ", ") + path;
   return list.empty() ? ""
                       : "\nThere begins or ends: " + list +
@@ -91,8 +91,9 @@ int run(const RunOptions& options) {
   solver::AssembledSystem system(*m.equations);
   comm.together([&] { system.residual(x, f); });
   if (!m.deck.dynamics.active) // else inertia holds
-    require_supports(m);
-  const auto linear = solver::make_linear_solver(m.deck.linear, system, progress.sink(), &m.timers);
+    scene::require_supports(m.deck, m, [&](const std::string& key) { return m.deck.where(key); });
+  const auto linear =
+      solver::make_linear_solver(m.deck.linear, system, progress.sink(), m.timers.get());
   progress.line(fmt::format("{}: {} nodes, {} elements, {} unknowns on {} rank{}",
                             m.deck.title.empty() ? m.deck.file : m.deck.title, m.mesh->num_nodes,
                             m.mesh->num_elements, m.equations->dofs().num_global_rows() * 3,
@@ -101,17 +102,17 @@ int run(const RunOptions& options) {
   for (const std::string& warning : m.warnings)
     progress.line("warning: " + warning);
   if (m.deck.dynamics.active)
-    start_dynamics(m, *linear, x);
-  State state = make_state(m, x, 0.0, {});
+    scene::start_motion(m.deck, m, *linear, x);
+  scene::State state = scene::make_state(m, x, 0.0, {});
   const double kinetic_at_start = state.energy.kinetic_at_start = state.energy.kinetic;
-  io::ResultWriter writer(stem, *m.mesh, result_names(m), m.deck.output.files);
+  io::ResultWriter writer(stem, *m.mesh, scene::result_names(m), m.deck.output.files);
   std::optional<PointsFile> points;
   if (m.deck.output.points)
     points.emplace(m, stem);
   long long augmentations = 0; // of the last step
   const auto write = [&] {
-    const PhaseTimers::Scope scope(m.timers, Phase::output);
-    writer.write_step(result_step(m, state));
+    const PhaseTimers::Scope scope(*m.timers, Phase::output);
+    writer.write_step(scene::result_step(m, state));
     if (points)
       points->write(state.time, augmentations);
   };
@@ -126,8 +127,8 @@ int run(const RunOptions& options) {
       policy, [&](int n, const auto& report) { progress.augmentation(n, report); },
       [&](const std::string& text) { progress.line("  warning: " + text); });
   if (m.deck.check == deck::ModelCheck::tangent)
-    augment = with_tangent_check(m, std::move(augment),
-                                 [&](const std::string& text) { progress.line(text); });
+    augment = scene::with_tangent_check(m, std::move(augment),
+                                        [&](const std::string& text) { progress.line(text); });
   solver::AugmentedLagrangian loop(newton, std::move(augment));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
   solver::Counters counters;
@@ -136,7 +137,7 @@ int run(const RunOptions& options) {
     counters.newton_iterations += report.iterations;
     counters.augmentations += report.augmentations;
     counters.cut_backs += report.cuts;
-    state = make_state(m, at, report.t, counters);
+    state = scene::make_state(m, at, report.t, counters);
     state.energy.kinetic_at_start = kinetic_at_start;
     augmentations = report.augmentations;
     Global active = 0;

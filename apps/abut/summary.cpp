@@ -31,7 +31,7 @@ const char* formulation_name(contact::Formulation formulation) {
   throw Defect("a formulation without a name");
 }
 
-Json contact_json(const Model& m, const State& s) {
+Json contact_json(const Model& m, const scene::State& s) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
     const contact::ContactSummary& c = s.contacts[i];
@@ -61,7 +61,7 @@ Json list(const Vec3& v) {
   return Json{v[0], v[1], v[2]};
 }
 
-Json joints_json(const Model& m, const State& s) {
+Json joints_json(const Model& m, const scene::State& s) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.joints.size(); ++i)
     all[m.joints[i].name] = {{"force", list(s.joints[i].force)},
@@ -71,10 +71,10 @@ Json joints_json(const Model& m, const State& s) {
   return all;
 }
 
-Json rigid_json(const Model& m, const State& s) {
+Json rigid_json(const Model& m, const scene::State& s) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.rigid_bodies.size(); ++i) {
-    const assembly::RigidBodyState& body = s.rigid_bodies[i];
+    const rigid::BodyState& body = s.rigid_bodies[i];
     all[m.rigid_bodies[i].name] = {{"displacement", list(body.displacement)},
                                    {"rotation", list(body.rotation)},
                                    {"force", list(body.force)},
@@ -85,11 +85,12 @@ Json rigid_json(const Model& m, const State& s) {
 
 } // namespace
 
-void write_summary(const Model& m, const State& s, const RunFacts& facts,
+void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                    const std::vector<Verdict>& verdicts, const std::string& file) {
   Json phases = Json::object();
   for (int p = 0; p < phase_count; ++p)
-    phases[phase_name(static_cast<Phase>(p))] = m.comm.max(m.timers.seconds(static_cast<Phase>(p)));
+    phases[phase_name(static_cast<Phase>(p))] =
+        m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
   const double memory = m.comm.sum(peak_memory_mb());
   if (file.empty())
     return;

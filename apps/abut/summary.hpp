@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "results.hpp"
 #include "verify.hpp"
 
 #include <string>
@@ -16,7 +15,7 @@ struct RunFacts {
 
 /// Writes the summary object of the outside contract; nothing when `file` is empty. Times are the
 /// largest over the ranks, memory is the sum. Collective. Throws InputError when it cannot write.
-void write_summary(const Model& model, const State& state, const RunFacts& facts,
+void write_summary(const Model& model, const scene::State& state, const RunFacts& facts,
                    const std::vector<Verdict>& verdicts, const std::string& file);
 
 } // namespace abut::app

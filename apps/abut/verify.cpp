@@ -2,6 +2,8 @@
 #include "verify.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/scene/contact_fields.hpp"
+#include "abut/scene/names.hpp"
 
 #include <cmath>
 #include <limits>
@@ -15,8 +17,8 @@ using deck::VerifyOptions;
 
 /// Contact radius of a Hertz contact: p^2 is linear in r^2, so c0 + c1 r^2 fitted over the middle
 /// of the contact gives a^2 = -c0/c1. The axis is z through the origin; r is the current radius.
-double contact_radius(const Model& m, const State& s) {
-  const ContactFields fields = contact_fields(m);
+double contact_radius(const Model& m, const scene::State& s) {
+  const scene::ContactFields fields = scene::contact_fields(*m.mesh, m.contacts);
   double largest = 0.0;
   for (double p : fields.pressure)
     largest = std::max(largest, p);
@@ -44,7 +46,7 @@ double contact_radius(const Model& m, const State& s) {
 }
 
 /// Mean displacement of a set, or displacement of the node nearest to a point.
-double displacement(const Model& m, const State& s, const VerifyOptions& v, std::size_t i) {
+double displacement(const Model& m, const scene::State& s, const VerifyOptions& v, std::size_t i) {
   const mesh::Mesh& mesh = *m.mesh;
   double sums[2] = {0.0, 0.0};
   if (v.point) {
@@ -62,7 +64,7 @@ double displacement(const Model& m, const State& s, const VerifyOptions& v, std:
       if (distance(n) == least)
         sums[0] += 1.0, sums[1] += s.u[3 * n + i];
   } else {
-    for (Local n : nodes_of_set(mesh, v.place))
+    for (Local n : scene::nodes_of_set(mesh, v.place))
       if (n < mesh.num_owned)
         sums[0] += 1.0, sums[1] += s.u[3 * std::size_t(n) + i];
   }
@@ -71,9 +73,9 @@ double displacement(const Model& m, const State& s, const VerifyOptions& v, std:
 }
 
 /// Force of the supports on the nodes of a set.
-double reaction(const Model& m, const State& s, const VerifyOptions& v, std::size_t i) {
+double reaction(const Model& m, const scene::State& s, const VerifyOptions& v, std::size_t i) {
   double sum = 0.0;
-  for (Local n : nodes_of_set(*m.mesh, v.place)) {
+  for (Local n : scene::nodes_of_set(*m.mesh, v.place)) {
     if (n >= m.mesh->num_owned)
       continue;
     const Local row = m.equations->dofs().row_of_node(n);
@@ -83,21 +85,21 @@ double reaction(const Model& m, const State& s, const VerifyOptions& v, std::siz
   return m.comm.sum(sum);
 }
 
-double rigid_value(const Model& m, const State& s, const VerifyOptions& v) {
+double rigid_value(const Model& m, const scene::State& s, const VerifyOptions& v) {
   std::size_t b = 0;
   while (v.place != m.rigid_bodies[b].name)
     ++b;
-  const assembly::RigidBodyState& body = s.rigid_bodies[b];
+  const rigid::BodyState& body = s.rigid_bodies[b];
   const int k = static_cast<int>(v.quantity) - static_cast<int>(Quantity::rigid_displacement_x);
   const Vec3* values[] = {&body.displacement, &body.rotation, &body.force, &body.moment};
   return (*values[k / 3])[k % 3];
 }
 
-double joint_value(const Model& m, const State& s, const VerifyOptions& v) {
+double joint_value(const Model& m, const scene::State& s, const VerifyOptions& v) {
   std::size_t j = 0;
   while (v.place != m.joints[j].name)
     ++j;
-  const assembly::RigidJointState& joint = s.joints[j];
+  const rigid::JointState& joint = s.joints[j];
   if (v.quantity == Quantity::joint_translation)
     return joint.translation;
   if (v.quantity == Quantity::joint_rotation)
@@ -106,7 +108,7 @@ double joint_value(const Model& m, const State& s, const VerifyOptions& v) {
   return (k < 3 ? joint.force : joint.moment)[k % 3];
 }
 
-double value_of(const Model& m, const State& s, const VerifyOptions& v) {
+double value_of(const Model& m, const scene::State& s, const VerifyOptions& v) {
   if (deck::is_rigid_quantity(v.quantity))
     return rigid_value(m, s, v);
   if (deck::is_joint_quantity(v.quantity))
@@ -160,7 +162,7 @@ double value_of(const Model& m, const State& s, const VerifyOptions& v) {
 
 } // namespace
 
-std::vector<Verdict> verify(const Model& m, const State& s) {
+std::vector<Verdict> verify(const Model& m, const scene::State& s) {
   std::vector<Verdict> verdicts;
   for (const VerifyOptions& v : m.deck.verify) {
     Verdict verdict{v.name, value_of(m, s, v), v.expected, v.allowed_error(), false};

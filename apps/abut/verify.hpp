@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "results.hpp"
+#include "model.hpp"
+
+#include "abut/scene/state.hpp"
 
 namespace abut::app {
 
@@ -12,6 +14,6 @@ struct Verdict {
 };
 
 /// The deck's `verify` entries against the last converged state. Collective.
-std::vector<Verdict> verify(const Model& model, const State& state);
+std::vector<Verdict> verify(const Model& model, const scene::State& state);
 
 } // namespace abut::app

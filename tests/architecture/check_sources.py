@@ -13,12 +13,17 @@ ALLOWED = {
     "core": set(),
     "fem": {"core"},
     "mesh": {"core", "fem"},
+    "meshgen": {"core", "fem", "mesh"},
     "io": {"core", "fem", "mesh"},
     "search": {"core", "fem", "mesh"},
     "contact": {"core", "fem", "mesh", "search"},
     "solid": {"core", "fem", "mesh"},
-    "assembly": {"core", "mesh"},
+    "unknowns": {"core", "mesh"},
+    "rigid": {"core", "mesh", "unknowns"},
+    "assembly": {"core", "mesh", "unknowns", "rigid"},
     "solver": {"core", "mesh", "assembly"},
+    "scene": {"core", "fem", "mesh", "io", "contact", "solid", "unknowns", "rigid", "assembly",
+              "solver"},
     "febio": {"core", "fem", "mesh"},
     "deck": {"core"},  # and everybody's options.hpp
 }

@@ -15,8 +15,8 @@ inline double value_of(const Dual& x) {
 #include "abut/contact/interaction.hpp"
 #include "abut/contact/point_tangent.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/mesh/generate.hpp"
 #include "abut/mesh/surface.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
 #include <Tpetra_Core.hpp>
@@ -33,7 +33,7 @@ struct Blocks {
   std::shared_ptr<contact::Interaction> contact;
 
   explicit Blocks(int n)
-      : mesh(make_mesh(n)), system(assembly::DofMap(mesh, {"x", "y", "z"}), timers) {
+      : mesh(make_mesh(n)), system(unknowns::DofMap(mesh, {"x", "y", "z"}), timers) {
     solid::MaterialOptions material;
     material.young = 1.0;
     material.poisson = 0.3;
@@ -51,9 +51,9 @@ struct Blocks {
 
   static mesh::Mesh make_mesh(int n) {
     const auto cells = [](int k) { return std::to_string(k); };
-    return mesh::distribute(mesh::generate("blocks", {{"lower_divisions", cells(n)},
-                                                      {"upper_divisions", cells(n + n / 2)},
-                                                      {"gap", "-0.001"}}),
+    return mesh::distribute(meshgen::generate("blocks", {{"lower_divisions", cells(n)},
+                                                         {"upper_divisions", cells(n + n / 2)},
+                                                         {"gap", "-0.001"}}),
                             Comm(MPI_COMM_WORLD));
   }
 };
@@ -92,7 +92,7 @@ void pattern(benchmark::State& state) {
   Vector x(blocks.system.dofs().map());
   blocks.system.tangent(x);
   std::vector<Connectivity> cells{blocks.contact->candidates(), blocks.contact->connectivity()};
-  assembly::BlockPattern pattern(blocks.system.dofs());
+  unknowns::BlockPattern pattern(blocks.system.dofs());
   for (auto _ : state)
     pattern.build({&cells[0], &cells[1]});
 }

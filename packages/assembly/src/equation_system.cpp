@@ -3,8 +3,6 @@
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
-#include "rigid_joints.hpp"
-#include "system_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,67 +10,52 @@
 
 namespace abut::assembly {
 
-EquationSystem::EquationSystem(DofMap dofs, PhaseTimers& timers)
-    : dofs_(std::move(dofs)), timers_(timers), ghosts_(dofs_.mesh()), pattern_(dofs_),
-      constrained_(static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields(), 0) {
-  if (dofs_.num_bodies() == 0)
-    set_rigid_bodies({});
+namespace {
+
+std::vector<unknowns::RowConstraint> constraints_of(const rigid::Bodies& bodies,
+                                                    const rigid::Joints& joints) {
+  std::vector<unknowns::RowConstraint> all = bodies.constraints();
+  for (unknowns::RowConstraint& c : joints.constraints())
+    all.push_back(std::move(c));
+  return all;
 }
 
-EquationSystem::~EquationSystem() = default;
+} // namespace
+
+EquationSystem::EquationSystem(unknowns::DofMap dofs, PhaseTimers& timers,
+                               std::vector<rigid::Body> bodies, std::vector<rigid::Joint> joints)
+    : dofs_(std::move(dofs)), timers_(timers), ghosts_(mesh::node_exchange(dofs_.mesh())),
+      contributions_(dofs_, timers), bodies_(dofs_, std::move(bodies)),
+      joints_(dofs_, bodies_, std::move(joints)),
+      constraints_(static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields(),
+                   constraints_of(bodies_, joints_)),
+      tangent_(contributions_.pattern()), joints_scaled_(joints_.empty()),
+      scale_joints_(!joints_.empty()) {
+  constraints_.follow(time_, {});
+}
 
 void EquationSystem::add(std::shared_ptr<Contribution> contribution) {
-  parts_.push_back({std::move(contribution), {}, -1, -1});
+  contributions_.add(std::move(contribution));
   prepared_ = false;
 }
 
-void EquationSystem::set_rigid_bodies(std::vector<RigidBody> bodies) {
-  rigid_ = std::make_unique<RigidBodies>(dofs_, std::move(bodies));
-  body_constraints_ = rigid_->constraints();
-  follow_windows();
-  joint_constraints_.clear();
-  joints_.reset();
-  if (dofs_.num_links() == 0)
-    joints_ = std::make_unique<RigidJoints>(dofs_, *rigid_, std::vector<RigidJoint>{});
-  mark_constrained();
-  prepared_ = false;
-}
-
-void EquationSystem::set_rigid_joints(std::vector<RigidJoint> joints) {
-  joints_ = std::make_unique<RigidJoints>(dofs_, *rigid_, std::move(joints));
-  joint_constraints_ = joints_->constraints();
-  mark_constrained();
-  prepared_ = false;
-  joints_scaled_ = joints_->empty();
-  scale_joints_ = !joints_scaled_;
+void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
+  constraints_.set_nodes(dofs_, std::move(constraints));
+  constraints_.follow(time_, work_.last_x());
+  tangent_.reset();
 }
 
 void EquationSystem::set_time(double t) {
   time_ = t;
   prepared_ = false;
-  for (Part& p : parts_)
-    p.contribution->begin_step();
+  contributions_.begin_step();
   scale_joints_ = !joints_scaled_;
-  if (dofs_.mesh().comm.any(follow_windows()))
-    mark_constrained();
+  if (dofs_.mesh().comm.any(constraints_.follow(t, work_.last_x())))
+    tangent_.reset();
 }
 
 bool EquationSystem::symmetric() const {
-  return rigid_->symmetric() && !joints_->have_unknowns() &&
-         std::all_of(parts_.begin(), parts_.end(),
-                     [](const Part& p) { return p.contribution->symmetric(); });
-}
-
-bool EquationSystem::indefinite() const {
-  return joints_->have_unknowns();
-}
-
-void EquationSystem::require_consistent() const {
-  joints_->require_consistent();
-}
-
-NodalFields EquationSystem::fields() const {
-  return {u_.data(), dofs_.fields(), time_};
+  return bodies_.symmetric() && !joints_.have_unknowns() && contributions_.symmetric();
 }
 
 std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
@@ -82,9 +65,9 @@ std::vector<double> EquationSystem::nodal_values(const Vector& x) const {
   for (Local r = 0; r < dofs_.num_node_rows(); ++r)
     for (int d = 0; d < f; ++d)
       u[static_cast<std::size_t>(dofs_.node_of_row(r)) * f + d] = view(std::size_t(r) * f + d, 0);
-  ghosts_.update(u.data(), f);
-  if (!rigid_->empty())
-    rigid_->displace(rigid_->place(x, time_), u.data());
+  ghosts_.to_ghosts(u.data(), f);
+  if (!bodies_.empty())
+    bodies_.displace(bodies_.place(x, time_), u.data());
   return u;
 }
 
@@ -95,32 +78,25 @@ std::vector<double> EquationSystem::row_coordinates() const {
   for (Local r = 0; r < dofs_.num_node_rows(); ++r)
     std::copy_n(&mesh.x[static_cast<std::size_t>(dofs_.node_of_row(r)) * dim], dim,
                 &x[3 * static_cast<std::size_t>(r)]);
-  rigid_->put_centers(x.data());
-  joints_->put_origins(x.data());
+  bodies_.put_centers(x.data());
+  joints_.put_origins(x.data());
   return x;
 }
 
-std::vector<RigidBodyState> EquationSystem::rigid_body_states() const {
-  return rigid_->states(time_, joints_->body_forces());
-}
-
-std::vector<RigidJointState> EquationSystem::rigid_joint_states() const {
-  return joints_->states();
-}
-
-std::vector<std::pair<std::string, std::string>> EquationSystem::implied_constraints() const {
-  return joints_->implied();
+std::vector<rigid::BodyState> EquationSystem::body_states() const {
+  return bodies_.states(time_, joints_.body_forces());
 }
 
 /// Search, pairs and pattern for x; nothing to do when neither x nor the time changed.
 void EquationSystem::prepare(const Vector& x) {
   const Comm& comm = dofs_.mesh().comm;
   std::vector<double> u = nodal_values(x);
-  std::vector<Placement> placements = rigid_->place(x, time_);
-  std::vector<double> multipliers = joints_->multipliers(x);
-  const bool same = prepared_ && state_version() == state_version_ && u.size() == u_.size() &&
+  std::vector<rigid::Placement> placements = bodies_.place(x, time_);
+  std::vector<double> multipliers = joints_.multipliers(x);
+  const bool same = prepared_ && contributions_.state_version() == state_version_ &&
+                    u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
-                    rigid_->stands_at(placements) && joints_->stands_at(multipliers);
+                    bodies_.stands_at(placements) && joints_.stands_at(multipliers);
   if (!comm.any(!same))
     return;
   for (double v : u)
@@ -131,20 +107,15 @@ void EquationSystem::prepare(const Vector& x) {
   if (comm.any(!u.empty() && !std::isfinite(u[0])))
     throw SolveError("an unknown is not a finite number");
   u_ = std::move(u);
-  state_version_ = state_version();
+  state_version_ = contributions_.state_version();
   prepared_ = false;
   forces_known_ = false;
-  rigid_->move(std::move(placements));
-  joints_->move(std::move(multipliers), time_);
-  comm.together([&] {
-    for (Part& p : parts_) {
-      const PhaseTimers::Scope scope(timers_, p.contribution->phase());
-      p.contribution->prepare(fields());
-    }
-  });
-  update_pattern();
-  rigid_->follow(pattern_);
-  rigid_->move_masses(time_ - accepted_time_);
+  bodies_.move(std::move(placements));
+  joints_.move(std::move(multipliers), time_);
+  if (contributions_.prepare(fields()))
+    tangent_.reset();
+  bodies_.follow(contributions_.pattern());
+  bodies_.move_masses(time_ - motion_.accepted_time());
   prepared_ = true;
   if (scale_joints_)
     scale_joints();
@@ -156,105 +127,96 @@ void EquationSystem::scale_joints() {
   scale_joints_ = false;
   assemble_tangent(false);
   double largest = 0.0;
-  for (const double k : pattern_.diagonal(raw_values_.data()))
+  for (const double k : contributions_.pattern().diagonal(tangent_.raw().data()))
     largest = std::max(largest, std::fabs(k));
   largest = dofs_.mesh().comm.max(largest);
   if (largest == 0.0)
-    largest = std::max(rigid_->load_stiffness(), joints_->load_stiffness());
+    largest = std::max(bodies_.load_stiffness(), joints_.load_stiffness());
   joints_scaled_ = largest > 0.0;
-  joints_->set_stiffness(joints_scaled_ ? largest : 1.0);
+  joints_.set_stiffness(joints_scaled_ ? largest : 1.0);
 }
 
-void EquationSystem::update_pattern() {
+RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
+  prepare(x);
+  assemble_tangent(false);
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
-  const auto locate = [&] {
-    bool inside = pattern_.version() > 0;
-    for (Part& p : parts_) {
-      const long version = p.contribution->connectivity_version();
-      if (p.connectivity_version == version && p.pattern_version == pattern_.version())
-        continue;
-      inside = inside && pattern_.locate(p.contribution->connectivity(), p.positions);
-      p.connectivity_version = version;
-      p.pattern_version = inside ? pattern_.version() : -1;
-    }
-    return inside;
-  };
-  if (!dofs_.mesh().comm.any(!locate()))
-    return;
-  std::vector<const Connectivity*> cells;
-  for (const Part& p : parts_) {
-    cells.push_back(&p.contribution->candidates());
-    if (cells.back() != &p.contribution->connectivity())
-      cells.push_back(&p.contribution->connectivity());
+  return tangent_.make(dofs_, constraints_.holds());
+}
+
+/// Also what start_motion and steps of length zero ask for: the mass by itself.
+void EquationSystem::assemble_tangent(bool mass_alone) {
+  if (bodies_.have_unknowns() && !forces_known_) {
+    bodies_.clear_forces();
+    for (const Force which : {Force::internal, Force::other, Force::inertial})
+      contributions_.residual(which, fields(), bodies_);
+    bodies_.sum_forces();
+    forces_known_ = true;
   }
-  pattern_.build(cells);
-  matrix_ = Teuchos::null;
-  ABUT_REQUIRE(locate(), "a cell lies outside the pattern that was built from it");
+  const double weight = mass_alone ? 1.0 : motion_.weight();
+  std::vector<double>& values = tangent_.clear();
+  contributions_.add_tangents(true, fields(), bodies_, values.data());
+  if (weight != 1.0)
+    for (double& value : values)
+      value *= weight;
+  if (!mass_alone)
+    contributions_.add_tangents(false, fields(), bodies_, values.data());
+  const PhaseTimers::Scope scope(timers_, Phase::assembly);
+  const unknowns::BlockPattern& pattern = contributions_.pattern();
+  pattern.add_shared_values(values.data());
+  if (!mass_alone) {
+    bodies_.add_stiffness(time_, weight, pattern, values.data());
+    joints_.add_tangent(pattern, values.data());
+  }
+  bodies_.add_inertia_tangent(weight, pattern, values.data());
 }
 
 RCP<const Matrix> EquationSystem::predictor(const Vector& x, Vector& rhs) {
   begin_solve(SolveKind::prediction);
-  tangent(x);
+  const RCP<const Matrix> matrix = tangent(x);
   Vector jump(dofs_.map());
   jump.assign(x);
   apply_constraints(jump);
   jump.update(-1.0, x, 1.0); // change of the constrained unknowns, zero elsewhere
-  const RCP<const Vector> columns = column_values(jump);
   residual(x, rhs);
-  const auto local = matrix_->getLocalMatrixHost();
-  const auto dx = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const std::vector<double> lift = tangent_.raw_times(jump);
   const auto own = jump.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto r = rhs.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (Local i = 0; i < local.numRows(); ++i) {
-    double lift = 0.0, diagonal = 0.0;
-    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k) {
-      const Local j = local.graph.entries(k);
-      lift += raw_values_[k] * dx(j, 0);
-      if (i == j)
-        diagonal = local.values(k);
-    }
-    r(i, 0) = constrained_[i] ? diagonal * own(i, 0) : -r(i, 0) - lift;
-  }
+  for (std::size_t i = 0; i < lift.size(); ++i)
+    r(i, 0) = constraints_.holds()[i] ? tangent_.diagonal(static_cast<Local>(i)) * own(i, 0)
+                                      : -r(i, 0) - lift[i];
   begin_solve(SolveKind::newton);
-  return matrix_;
+  return matrix;
 }
 
-void EquationSystem::begin_solve(SolveKind kind) {
-  for (Part& p : parts_)
-    p.contribution->begin_solve(kind);
-}
-
-void EquationSystem::iterate_taken() {
-  for (Part& p : parts_)
-    p.contribution->iterate_taken();
-}
-
-long EquationSystem::state_version() const {
-  long sum = 0;
-  for (const Part& p : parts_)
-    sum += p.contribution->state_version();
-  return sum;
+void EquationSystem::add_work(const Vector& x) {
+  WorkLedger::State now;
+  now.loads = contributions_.loads(fields(), bodies_);
+  bodies_.add_loads(time_, now.loads.data());
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (std::size_t i = 0; i < now.loads.size(); ++i)
+    now.x.push_back(view(i, 0));
+  now.raw = raw_residual_;
+  now.bodies = body_states();
+  now.joints = joints_.states();
+  work_.add(std::move(now), constraints_.holds(),
+            static_cast<std::size_t>(dofs_.num_node_rows()) * dofs_.fields(), joints_,
+            dofs_.mesh().comm);
 }
 
 void EquationSystem::accept(const Vector& x) {
   prepare(x);
   add_work(x);
-  for (Part& p : parts_)
-    p.contribution->accept();
-  rigid_->accept();
-  for (auto* list : {&constraints_, &body_constraints_, &joint_constraints_})
-    for (RowConstraint& c : *list)
-      c.has_held = c.holds;
-  joints_->accept();
-  accepted_time_ = time_;
-  keep_past();
-  if (rigid_->have_unknowns())
+  contributions_.accept();
+  bodies_.accept();
+  constraints_.accept();
+  joints_.accept();
+  motion_.accept(time_);
+  if (bodies_.have_unknowns())
     prepared_ = false; // the same place, but the rotation's increments count from here
 }
 
 void EquationSystem::reject() {
-  for (Part& p : parts_)
-    p.contribution->reject();
+  contributions_.reject();
   prepared_ = false;
 }
 

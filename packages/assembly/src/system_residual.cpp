@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forces of all contributions, and what a residual is compared with.
+// Forces of all contributions, what a residual is compared with, and the start of motion.
 #include "abut/assembly/equation_system.hpp"
 #include "abut/core/trilinos.hpp"
-#include "rigid_joints.hpp"
-#include "system_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,49 +12,19 @@ namespace {
 constexpr double round_off = 1e-14; ///< some 50 units in the last place of the unknowns
 } // namespace
 
-ResidualScatter EquationSystem::residual_scatter(const Part& p, std::vector<double>& buffer) {
-  ResidualScatter scatter;
-  scatter.fields = dofs_.fields();
-  scatter.cell_offset = p.contribution->connectivity().offsets.data();
-  scatter.row = p.positions.row.data();
-  scatter.values = buffer.data();
-  scatter.rigid = rigid_->scatter(p.positions);
-  if (p.contribution->inertial())
-    scatter.rigid.force = rigid_->inertial_forces();
-  return scatter;
-}
-
-EquationSystem::Force EquationSystem::kind(const Contribution& contribution) {
-  return contribution.inertial()         ? Force::inertial
-         : contribution.internal_force() ? Force::internal
-                                         : Force::other;
-}
-
-/// Adds what all contributions of one kind exert to the rows of this rank, owned and shared.
-void EquationSystem::assemble_residual(Force which, std::vector<double>& buffer) {
-  dofs_.mesh().comm.together([&] {
-    for (Part& p : parts_) {
-      if (kind(*p.contribution) != which)
-        continue;
-      const PhaseTimers::Scope scope(timers_, p.contribution->phase());
-      p.contribution->residual(fields(), residual_scatter(p, buffer));
-    }
-  });
-}
-
 /// Joints balance loads as internal forces do, but may also oppose those: their size counts by
 /// itself. Returns the squared norm of this rank's.
-double EquationSystem::add_joint_forces(std::vector<double>& buffer) {
-  if (joints_->empty())
+double EquationSystem::add_joint_forces(std::vector<double>& residual) {
+  if (joints_.empty())
     return 0.0;
-  std::vector<double> forces(raw_residual_.size(), 0.0);
-  joints_->add_forces(forces.data());
+  std::vector<double> forces(residual.size(), 0.0);
+  joints_.add_forces(forces.data());
   double sum = 0.0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
     sum += forces[i] * forces[i];
-    buffer[i] += forces[i];
+    residual[i] += forces[i];
   }
-  joints_->add_equations(buffer.data());
+  joints_.add_equations(residual.data());
   return sum;
 }
 
@@ -68,56 +36,99 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     last_->assign(x);
   const auto owned = static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields();
   raw_residual_.assign(owned, 0.0);
-  inertia_.assign(rule_ ? owned : 0, 0.0);
-  rigid_->clear_forces();
-  double norms[3] = {0.0, 0.0, 0.0};
+  std::vector<double>& rates = motion_.clear_rates(owned);
+  bodies_.clear_forces();
+  double norms[4] = {0.0, 0.0, 0.0, 0.0}; // of each kind, of joints
   for (const Force which : {Force::internal, Force::other, Force::inertial}) {
-    if (which == Force::inertial && !rule_)
+    if (which == Force::inertial && !motion_.active())
       break;
-    std::vector<double> buffer(static_cast<std::size_t>(pattern_.num_rows()) * dofs_.fields(), 0.0);
-    assemble_residual(which, buffer);
+    std::vector<double> buffer = contributions_.residual(which, fields(), bodies_);
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
-    pattern_.add_shared_residual(buffer.data());
+    contributions_.pattern().add_shared_residual(buffer.data());
     if (which == Force::other)
-      rigid_->add_loads(time_, buffer.data());
+      bodies_.add_loads(time_, buffer.data());
     if (which == Force::inertial)
-      rigid_->add_inertia(buffer.data());
-    std::vector<double>& sum = which == Force::inertial ? inertia_ : raw_residual_;
+      bodies_.add_inertia(buffer.data());
+    std::vector<double>& sum = which == Force::inertial ? rates : raw_residual_;
     for (std::size_t i = 0; i < owned; ++i) {
       norms[static_cast<int>(which)] += buffer[i] * buffer[i];
       sum[i] += buffer[i];
     }
   }
-  joint_norm_ = add_joint_forces(raw_residual_);
-  rigid_->sum_forces();
+  norms[3] = add_joint_forces(raw_residual_);
+  bodies_.sum_forces();
   forces_known_ = true;
-  measure_forces(x, norms);
-  add_motion();
+  size_ = measure(x, norms);
+  const std::vector<char>& constrained = constraints_.holds();
+  motion_.complete(raw_residual_, constrained);
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t i = 0; i < owned; ++i)
-    view(i, 0) = constrained_[i] ? 0.0 : raw_residual_[i];
+    view(i, 0) = constrained[i] ? 0.0 : raw_residual_[i];
 }
 
 /// What a residual is compared with, from the squared norms of each kind of force on this rank.
-void EquationSystem::measure_forces(const Vector& x, const double (&norms)[3]) {
+EquationSystem::Size EquationSystem::measure(const Vector& x, const double (&norms)[4]) const {
   double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
   const auto unknowns = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-    const double force = diagonal_[i] * unknowns(i, 0);
+  const std::vector<double>& diagonal = tangent_.raw_diagonal();
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const double force = diagonal[i] * unknowns(i, 0);
     stiff += force * force;
   }
-  double positions = 0.0; // the same for rounding of positions, by its own unit
-  double unsettled = 0.0;
-  for (const Part& p : parts_) {
-    positions += p.contribution->round_off_force2();
-    unsettled += p.contribution->settled() ? 0.0 : 1.0;
-  }
-  stiff += positions / (round_off * round_off);
-  double all[6] = {norms[0], norms[1], norms[2], joint_norm_, stiff, unsettled};
+  // the same for rounding of positions, by its own unit
+  stiff += contributions_.round_off_force2() / (round_off * round_off);
+  double all[6] = {norms[0], norms[1], norms[2],
+                   norms[3], stiff,    static_cast<double>(contributions_.unsettled())};
   dofs_.mesh().comm.sum(all, 6);
-  settled_ = all[5] == 0.0 && joints_->closed();
-  reference_force_ = std::sqrt(std::max({all[0], all[1], all[2], all[3]}));
-  round_off_force_ = round_off * std::sqrt(all[4] + joints_->rounding_force2());
+  return {std::sqrt(std::max({all[0], all[1], all[2], all[3]})),
+          round_off * std::sqrt(all[4] + joints_.rounding_force2()),
+          all[5] == 0.0 && joints_.closed()};
+}
+
+void EquationSystem::start_motion(const TimeIntegration& rule, const Vector& x, Vector& minus_f) {
+  motion_.start(rule, time_, constraints_.holds().size());
+  prepared_ = false;
+  prepare(x);
+  bodies_.accept(); // rotations count from here
+  prepared_ = false;
+  prepare(x);
+  bodies_.start(rule);
+  // The whole equation of motion, not the one between two times: there is no past yet.
+  residual(x, minus_f);
+  const std::vector<char>& constrained = constraints_.holds();
+  const auto view = minus_f.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t i = 0; i < constrained.size(); ++i)
+    view(i, 0) = constrained[i] ? 0.0 : -motion_.at_end(i);
+}
+
+RCP<const Matrix> EquationSystem::mass(const Vector& x) {
+  prepare(x);
+  assemble_tangent(true);
+  const PhaseTimers::Scope scope(timers_, Phase::assembly);
+  return tangent_.make(dofs_, constraints_.holds());
+}
+
+std::vector<double> EquationSystem::nodal_rates(const Vector& rates) const {
+  std::vector<double> nodal(3 * static_cast<std::size_t>(dofs_.mesh().num_local()), 0.0);
+  {
+    const auto view = rates.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (Local r = 0; r < dofs_.num_node_rows(); ++r)
+      for (std::size_t i = 0; i < 3; ++i)
+        nodal[3 * static_cast<std::size_t>(dofs_.node_of_row(r)) + i] =
+            view(3 * static_cast<std::size_t>(r) + i, 0);
+  }
+  ghosts_.to_ghosts(nodal.data(), 3);
+  bodies_.put_rates(rates, nodal.data());
+  return nodal;
+}
+
+void EquationSystem::accelerate(const Vector& x, const Vector& acceleration) {
+  bodies_.accelerate(acceleration);
+  prepared_ = false;
+  Vector f(dofs_.map());
+  residual(x, f);
+  add_work(x);
+  motion_.accept(time_);
 }
 
 } // namespace abut::assembly

@@ -87,7 +87,7 @@ private:
   }
 
   /// A body that moves by inertia has mass, and only then an initial velocity of its own.
-  void dynamics(const std::string& path, const solid::BodyOptions& body) const {
+  void dynamics(const std::string& path, const scene::BodyOptions& body) const {
     constexpr std::array<double, 3> none{};
     const bool moves = body.initial_velocity != none || body.initial_angular_velocity != none;
     const char* key =
@@ -105,7 +105,7 @@ private:
                "missing key 'density', which dynamics needs (mass per reference volume)");
       return;
     }
-    const solid::RigidMotion& motion = body.motion;
+    const rigid::MotionOptions& motion = body.motion;
     const std::string rigid = path + ".rigid";
     if (motion.density && body.blocks.empty())
       fail(rigid + ".density", "the body has no blocks; give 'mass'");
@@ -122,7 +122,7 @@ private:
                              " is prescribed, and starts with the slope of its curve");
   }
 
-  void rigid(const std::string& path, const solid::RigidMotion& motion) const {
+  void rigid(const std::string& path, const rigid::MotionOptions& motion) const {
     curve(path, motion.curve);
     curve(path, motion.load_curve, ".load_curve");
     constexpr const char* components[] = {".x", ".y", ".z", ".rx", ".ry", ".rz"};
@@ -134,24 +134,24 @@ private:
       curve(path + ".load_curves", motion.load_curves[i], components[i]);
   }
 
-  void joint(const std::string& path, const solid::JointOptions& joint) const {
+  void joint(const std::string& path, const rigid::JointOptions& joint) const {
     curve(path, joint.curve);
     curve(path, joint.load_curve, ".load_curve");
     if (joint.bodies.size() != 2 || joint.bodies[0] == joint.bodies[1])
       fail(path + ".bodies", "expected the names of two rigid bodies, or of one and 'ground'");
     if ((joint.turns() || joint.slides()) && joint.axis == std::array<double, 3>{})
       fail(path + ".axis", "expected a direction, got zero");
-    if (joint.kind == solid::JointKind::spring && joint.from == joint.to &&
+    if (joint.kind == rigid::JointKind::spring && joint.from == joint.to &&
         joint.free_length != 0.0)
       fail(path + ".to", "the spring has no length: move its points apart, or give "
                          "'free_length: 0'");
     for (const std::string& word : joint.bodies)
-      if (word != solid::JointOptions::ground || has_body(word))
+      if (word != rigid::JointOptions::ground || has_body(word))
         rigid_body(path + ".bodies", word);
-    if (deck_.dynamics.active && joint.kind != solid::JointKind::spring)
+    if (deck_.dynamics.active && joint.kind != rigid::JointKind::spring)
       fail(path + ".kind", "of all joints only springs go with 'dynamics'");
     if (deck_.linear.method == solver::LinearMethod::krylov &&
-        joint.kind != solid::JointKind::spring)
+        joint.kind != rigid::JointKind::spring)
       fail("linear_solver.method", "joints need a direct solver: automatic or direct");
   }
 

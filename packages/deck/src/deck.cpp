@@ -22,20 +22,6 @@ std::map<std::string, std::string> MeshOptions::generator_options() const {
   return options;
 }
 
-double Curve::operator()(double t) const {
-  if (points.empty())
-    return t;
-  if (t <= points.front()[0])
-    return points.front()[1];
-  if (t >= points.back()[0])
-    return points.back()[1];
-  const auto after = std::upper_bound(points.begin(), points.end(), t,
-                                      [](double x, const auto& point) { return x < point[0]; });
-  const auto& [t0, v0] = *(after - 1);
-  const auto& [t1, v1] = *after;
-  return v0 + (v1 - v0) * (t - t0) / (t1 - t0);
-}
-
 bool is_contact_quantity(Quantity quantity) {
   switch (quantity) {
   case Quantity::force_x:
@@ -80,15 +66,6 @@ std::string Deck::where(const std::string& path) const {
 
 std::string Deck::mesh_path() const {
   return (std::filesystem::path(file).parent_path() / mesh.file).string();
-}
-
-Curve Deck::curve(const std::string& name) const {
-  if (name.empty())
-    return {};
-  const auto found = std::find_if(curves.begin(), curves.end(),
-                                  [&](const Curve& curve) { return curve.name == name; });
-  ABUT_REQUIRE(found != curves.end(), "curve '" + name + "' passed the deck's checks");
-  return *found;
 }
 
 Deck make_deck(const Value& top, const std::string& file) {

@@ -76,7 +76,7 @@ template <class V> void describe(V& v, solid::MaterialOptions& o) {
 
 constexpr const char* rigid_components[] = {"x", "y", "z", "rx", "ry", "rz"};
 
-template <class V> void describe(V& v, solid::RigidHold& o) {
+template <class V> void describe(V& v, rigid::HoldOptions& o) {
   std::array<std::optional<double>, 6> given;
   for (std::size_t i = 0; i < 6; ++i)
     if (o.components[i])
@@ -100,7 +100,7 @@ template <class V> void describe(V& v, solid::RigidHold& o) {
   }
 }
 
-template <class V> void describe(V& v, solid::RigidMotion& o) {
+template <class V> void describe(V& v, rigid::MotionOptions& o) {
   constexpr auto& components = rigid_components;
   v.optional("displacement", o.displacement, "at curve value 1", unit("length"));
   v.optional("rotation", o.rotation, "rotation vector at curve value 1", unit("rad"));
@@ -145,7 +145,7 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
             !o.free[i] || (turns ? o.rotation[i - 3] : o.displacement[i]) == 0.0,
             std::string("component '") + components[i] + "' is prescribed here and listed as free");
   }
-  for (const solid::RigidHold& hold : o.holds)
+  for (const rigid::HoldOptions& hold : o.holds)
     for (std::size_t i = 0; i < 6; ++i)
       v.check("holds", !hold.components[i] || o.free[i],
               "'" + hold.name + "' holds component '" + components[i] +
@@ -156,8 +156,8 @@ template <class V> void describe(V& v, solid::RigidMotion& o) {
             "the motion is prescribed, so a load moves nothing; list what may move under 'free'");
 }
 
-template <class V> void describe(V& v, solid::JointOptions& o) {
-  using solid::JointKind;
+template <class V> void describe(V& v, rigid::JointOptions& o) {
+  using rigid::JointKind;
   v.required_choice(
       "kind", o.kind,
       {{"revolute", JointKind::revolute, "turns about its axis"},
@@ -223,7 +223,7 @@ template <class V> void describe(V& v, solid::JointOptions& o) {
           "the translation is prescribed, so a force moves nothing");
 }
 
-template <class V> void describe(V& v, solid::BodyOptions& o) {
+template <class V> void describe(V& v, scene::BodyOptions& o) {
   v.optional("blocks", o.blocks, "element blocks of the mesh, by name or number");
   v.optional("node_sets", o.node_sets,
              "nodes that move with a rigid body, of other bodies' elements too");
@@ -244,9 +244,9 @@ template <class V> void describe(V& v, solid::BodyOptions& o) {
           "only a rigid body takes nodes; a deformable one consists of blocks");
 }
 
-template <class V> void describe(V& v, solid::DisplacementOptions& o) {
+template <class V> void describe(V& v, scene::DisplacementOptions& o) {
   constexpr const char* axes[] = {"x", "y", "z"};
-  std::array<std::optional<solid::Amount>, 3> given;
+  std::array<std::optional<Amount>, 3> given;
   for (std::size_t i = 0; i < 3; ++i)
     if (o.components[i])
       given[i] = o.values[i];
@@ -263,13 +263,13 @@ template <class V> void describe(V& v, solid::DisplacementOptions& o) {
   v.at_least_one({"x", "y", "z", "fix"});
 
   for (const std::string& axis : fixed) {
-    std::optional<solid::Amount>& component = given[static_cast<std::size_t>(axis[0] - 'x')];
+    std::optional<Amount>& component = given[static_cast<std::size_t>(axis[0] - 'x')];
     v.check("fix", !component, "direction '" + axis + "' is prescribed twice");
     component = 0.0;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     o.components[i] = given[i].has_value();
-    o.values[i] = given[i].value_or(solid::Amount());
+    o.values[i] = given[i].value_or(Amount());
   }
 }
 

@@ -126,10 +126,8 @@ private:
   static const char* type_of(const std::array<double, 3>*) { return "3 numbers"; }
   static const char* type_of(const std::vector<std::string>*) { return "list of texts"; }
   static const char* type_of(const std::vector<double>*) { return "list of numbers"; }
-  static const char* type_of(const solid::Amount*) { return "number or expression"; }
-  static const char* type_of(const std::array<solid::Amount, 3>*) {
-    return "3 numbers or expressions";
-  }
+  static const char* type_of(const Amount*) { return "number or expression"; }
+  static const char* type_of(const std::array<Amount, 3>*) { return "3 numbers or expressions"; }
 
   Field& add(Field::Kind kind, const char* key, const char* type, const char* doc) {
     const auto same = std::find_if(map_.fields.begin(), map_.fields.end(),

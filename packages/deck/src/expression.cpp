@@ -85,7 +85,7 @@ private:
 
 } // namespace
 
-solid::Amount::Function compile_expression(const std::string& text, const std::string& where) {
+Amount::Function compile_expression(const std::string& text, const std::string& where) {
   const auto formula = std::make_shared<Formula>(text, where);
   return [formula](const Vec3& position, double t) { return (*formula)(position, t); };
 }

@@ -260,7 +260,7 @@ void Filler::read(const Value& value, const std::string& path, std::vector<doubl
     read(item, path, list.emplace_back(), rule);
 }
 
-void Filler::read(const Value& value, const std::string& path, solid::Amount& amount,
+void Filler::read(const Value& value, const std::string& path, Amount& amount,
                   const Rule& rule) const {
   double number = 0.0;
   if (value.kind != Value::Kind::scalar || parse_number(value.text, number)) {
@@ -271,7 +271,7 @@ void Filler::read(const Value& value, const std::string& path, solid::Amount& am
   amount = {value.text, compile_expression(value.text, value.where.text() + ": " + path)};
 }
 
-void Filler::read(const Value& value, const std::string& path, std::array<solid::Amount, 3>& x,
+void Filler::read(const Value& value, const std::string& path, std::array<Amount, 3>& x,
                   const Rule& rule) const {
   if (value.kind != Value::Kind::list || value.items.size() != 3)
     fail(value.where, path,

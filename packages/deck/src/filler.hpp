@@ -171,9 +171,8 @@ private:
   void read(const Value&, const std::string& path, std::array<double, 3>&, const Rule&) const;
   void read(const Value&, const std::string& path, std::vector<std::string>&, const Rule&) const;
   void read(const Value&, const std::string& path, std::vector<double>&, const Rule&) const;
-  void read(const Value&, const std::string& path, solid::Amount&, const Rule&) const;
-  void read(const Value&, const std::string& path, std::array<solid::Amount, 3>&,
-            const Rule&) const;
+  void read(const Value&, const std::string& path, Amount&, const Rule&) const;
+  void read(const Value&, const std::string& path, std::array<Amount, 3>&, const Rule&) const;
 
   const Value& map_;
   Location where_;

@@ -25,7 +25,7 @@ inline std::string printed(double x) {
   return number_text(x);
 }
 
-inline std::string printed(const solid::Amount& x) {
+inline std::string printed(const Amount& x) {
   return x.expression.empty() ? printed(x.number) : printed(x.expression);
 }
 

@@ -64,11 +64,12 @@ int longest(const ResultNames& names, int length) {
 } // namespace
 
 struct ResultWriter::Impl {
-  Impl(const mesh::Mesh& m, const ResultNames& n) : mesh(m), names(n), ghosts(m) {}
+  Impl(const mesh::Mesh& m, const ResultNames& n)
+      : mesh(m), names(n), ghosts(mesh::node_exchange(m)) {}
 
   const mesh::Mesh& mesh;
   ResultNames names;
-  mesh::GhostExchange ghosts;
+  NodeExchange ghosts;
   bool one = true;
   std::string path;
   std::optional<ExodusFile> file; ///< open on the ranks that write
@@ -173,7 +174,7 @@ std::vector<std::vector<double>> ResultWriter::Impl::nodal_values(const ResultSt
         values[node_at[i]] = all[i];
     } else {
       values.resize(mesh.node.size());
-      ghosts.update(values.data(), 1);
+      ghosts.to_ghosts(values.data());
     }
     out.push_back(std::move(values));
   }

@@ -4,6 +4,7 @@
 #include "abut/fem/cell.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace abut::mesh {
 
@@ -34,42 +35,26 @@ void settle_locally(const Mesh& mesh, const std::vector<char>& counts, std::vect
 } // namespace
 
 std::vector<Global> connected_pieces(const Mesh& mesh, const std::vector<char>& counts) {
-  std::vector<Global> label(mesh.node.size(), -1);
+  constexpr Global none = std::numeric_limits<Global>::max();
+  std::vector<Global> label(mesh.node.size(), none);
+  std::vector<char> here(mesh.node.size(), 0); // of a block that counts, on this rank
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
     if (counts[b])
-      for (Local n : mesh.blocks[b].nodes)
+      for (Local n : mesh.blocks[b].nodes) {
         label[n] = mesh.node_input[n];
-  struct Entry {
-    Global node, label;
-  };
-  const auto ranks = static_cast<std::size_t>(mesh.comm.size());
-  const Global first = mesh.first_node[static_cast<std::size_t>(mesh.comm.rank())];
+        here[n] = 1;
+      }
+  const NodeExchange ghosts = node_exchange(mesh);
   for (bool changed = true; changed;) {
     const std::vector<Global> before = label;
     settle_locally(mesh, counts, label);
-    // Ghosts tell their owners, owners answer with the least.
-    std::vector<std::vector<Entry>> up(ranks);
-    for (Local n = mesh.num_owned; n < mesh.num_local(); ++n)
-      up[static_cast<std::size_t>(mesh.owner(mesh.node[n]))].push_back({mesh.node[n], label[n]});
-    auto arrived = mesh.comm.exchange(up);
-    for (const auto& list : arrived)
-      for (const Entry& e : list) {
-        Global& mine = label[static_cast<std::size_t>(e.node - first)];
-        mine = mine < 0 ? e.label : e.label < 0 ? mine : std::min(mine, e.label);
-      }
-    for (auto& list : arrived)
-      for (Entry& e : list)
-        e.label = label[static_cast<std::size_t>(e.node - first)];
-    std::vector<std::size_t> next(ranks, 0);
-    const auto answers = mesh.comm.exchange(arrived);
-    for (Local n = mesh.num_owned; n < mesh.num_local(); ++n) {
-      const auto r = static_cast<std::size_t>(mesh.owner(mesh.node[n]));
-      const Global answer = answers[r][next[r]++].label;
-      if (label[n] >= 0 && answer >= 0)
-        label[n] = std::min(label[n], answer);
-    }
+    ghosts.min_to_owners(label.data());
+    ghosts.to_ghosts(label.data());
     changed = mesh.comm.any(label != before);
   }
+  for (Local n = 0; n < mesh.num_local(); ++n)
+    if (label[n] == none || (n >= mesh.num_owned && !here[n]))
+      label[n] = -1;
   return label;
 }
 

@@ -206,10 +206,4 @@ Mesh distribute(const MeshData& data, const Comm& comm) {
   return mesh;
 }
 
-int Mesh::owner(Global node_number) const {
-  ABUT_REQUIRE(node_number >= 0 && node_number < num_nodes, "no such node");
-  return static_cast<int>(std::upper_bound(first_node.begin(), first_node.end(), node_number) -
-                          first_node.begin() - 1);
-}
-
 } // namespace abut::mesh

@@ -2,7 +2,7 @@
 #include "abut/mesh/quality.hpp"
 
 #include "abut/core/tensor.hpp"
-#include "cell_edges.hpp"
+#include "abut/fem/cell_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ double min_scaled_jacobian(const MeshData& mesh) {
         const Global* nodes = &block.nodes[first];
         Vec3 tangent[3];
         for (int i = 0; i < 3; ++i) {
-          const int b = corners.neighbours[a][i], m = edge_node(block.type, a, b);
+          const int b = corners.neighbours[a][i], m = fem::edge_node(block.type, a, b);
           tangent[i] = point(nodes[b]) - point(nodes[a]);
           // End tangent of the parabola through corner, middle node and far corner.
           if (m >= 0)

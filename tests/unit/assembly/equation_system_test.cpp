@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/assembly/equation_system.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/mesh/generate.hpp"
+#include "abut/meshgen/generate.hpp"
 #include "abut/solid/solid_contribution.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Box {
   assembly::EquationSystem system;
 
   explicit Box(solid::MaterialModel model)
-      : mesh(make_mesh()), system(assembly::DofMap(mesh, {"x", "y", "z"}), timers) {
+      : mesh(make_mesh()), system(unknowns::DofMap(mesh, {"x", "y", "z"}), timers) {
     solid::MaterialOptions material;
     material.model = model;
     material.young = 2.0;
@@ -29,7 +29,7 @@ struct Box {
     const Comm comm(MPI_COMM_WORLD);
     mesh::MeshData data;
     if (comm.is_root())
-      data = mesh::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}});
+      data = meshgen::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}});
     return mesh::distribute(data, comm);
   }
 
@@ -95,9 +95,9 @@ TEST(EquationSystem, SameNormsOnAnyNumberOfRanks) {
   {
     const Comm alone(self);
     const mesh::Mesh whole = mesh::distribute(
-        mesh::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}}), alone);
+        meshgen::generate("box", {{"divisions", "4,3,3"}, {"distortion", "0.1"}}), alone);
     PhaseTimers timers;
-    assembly::EquationSystem system(assembly::DofMap(whole, {"x", "y", "z"}), timers);
+    assembly::EquationSystem system(unknowns::DofMap(whole, {"x", "y", "z"}), timers);
     solid::MaterialOptions material;
     material.young = 2.0;
     material.poisson = 0.3;

@@ -111,7 +111,7 @@ TEST(Deck, WhatHoldsForATime) {
       "displacements: {d: {set: s, y: 2, from: 1, until: 2}, e: {set: s, y: 1, from: 2}}\n"
       "curves: {c: [[0, 0], [3, 1]]}\ntime: {end: 3}\n";
   const Deck d = parse_deck(text, "a.yaml");
-  const solid::RigidHold& hold = d.bodies[1].motion.holds[0];
+  const rigid::HoldOptions& hold = d.bodies[1].motion.holds[0];
   EXPECT_THAT(hold.components, testing::ElementsAre(false, false, true, true, false, false));
   EXPECT_THAT(hold.values, testing::ElementsAre(0, 0, 2, 0, 0, 0));
   EXPECT_TRUE(hold.relative);
@@ -169,11 +169,11 @@ verify: {v: {quantity: joint_moment_z, place: pin, expected: 1, tolerance: 1}}
 )";
   const Deck deck = parse_deck(text, "d.yaml");
   ASSERT_EQ(deck.joints.size(), 7u);
-  const solid::JointOptions& pin = deck.joints[0];
-  EXPECT_EQ(pin.kind, solid::JointKind::revolute);
+  const rigid::JointOptions& pin = deck.joints[0];
+  EXPECT_EQ(pin.kind, rigid::JointKind::revolute);
   EXPECT_EQ(pin.bodies, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(pin.origin[2], 3.0);
-  EXPECT_EQ(pin.rotation->at(Vec3::zero(), 0.5, deck.curve("up")), 1.0);
+  EXPECT_EQ(pin.rotation->at(Vec3::zero(), 0.5, curve_named(deck.curves, "up")), 1.0);
   EXPECT_FALSE(pin.moment || pin.translation || pin.force);
   EXPECT_EQ(deck.joints[1].force->at(Vec3::zero(), 0.5, {}), 2.0);
   EXPECT_EQ(deck.joints[2].translation->number, 3.0);
@@ -257,14 +257,14 @@ TEST(Deck, WhereFallsBackToTheEnclosingKey) {
 
 TEST(Deck, CurvesAreLinearAndConstantBeyondTheEnds) {
   const Deck d = parse_deck(yaml_scene, "ball.yaml");
-  const Curve up = d.curve("up");
+  const Curve up = curve_named(d.curves, "up");
   EXPECT_EQ(up(-1.0), 0.0);
   EXPECT_EQ(up(0.0), 0.0);
   EXPECT_EQ(up(0.25), 0.5);
   EXPECT_EQ(up(0.5), 1.0);
   EXPECT_EQ(up(7.0), 1.0);
-  EXPECT_EQ(d.curve("")(0.3), 0.3);
-  EXPECT_THROW(d.curve("down"), Defect);
+  EXPECT_EQ(curve_named(d.curves, "")(0.3), 0.3);
+  EXPECT_THROW(curve_named(d.curves, "down"), Defect);
   const Curve jagged{"j", {{-1.0, 2.0}, {1.0, -2.0}, {3.0, 6.0}}};
   EXPECT_EQ(jagged(-5.0), 2.0);
   EXPECT_EQ(jagged(0.5), -1.0);

@@ -16,7 +16,7 @@ const std::string head = "mesh: {file: a.exo}\n"
                          "bodies: {ball: {blocks: [1], material: steel}}\n";
 const Vec3 place{{0.25, -2.0, 3.0}};
 
-solid::Amount amount(const std::string& text) {
+Amount amount(const std::string& text) {
   return parse_deck(head + "loads: {l: {side_set: s, pressure: " + text + "}}\n", "d.yaml")
       .loads.at(0)
       .pressure;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
-#include "abut/mesh/generators.hpp"
+#include "abut/meshgen/generators.hpp"
 
 #include <exodusII.h>
 #include <gmock/gmock.h>
@@ -58,9 +58,9 @@ std::string read_message(const std::string& path) {
 class EveryCell : public ::testing::TestWithParam<fem::CellType> {};
 
 TEST_P(EveryCell, ComesBackAsWritten) {
-  mesh::RingsOptions o;
+  meshgen::RingsOptions o;
   o.element = GetParam();
-  mesh::MeshData m = mesh::rings(o);
+  mesh::MeshData m = meshgen::rings(o);
   m.node_sets["a name that is longer than the thirty-two characters of old files"] = {3, 1};
   m.node_sets["empty"] = {};
   m.side_sets["none"] = {};
@@ -141,9 +141,9 @@ TEST(ReadExodus, MissingForeignAndDamagedFiles) {
   std::ofstream("empty.exo").flush();
   EXPECT_THAT(read_message("empty.exo"), HasSubstr("not a readable Exodus II file"));
 
-  mesh::BoxOptions o;
+  meshgen::BoxOptions o;
   o.divisions = {6, 6, 6};
-  io::write_mesh("whole.exo", mesh::box(o));
+  io::write_mesh("whole.exo", meshgen::box(o));
   const auto size = std::filesystem::file_size("whole.exo");
   for (auto left : {size / 100, size / 3, size / 2, size * 9 / 10, size - 4}) {
     std::filesystem::copy_file("whole.exo", "cut.exo",
@@ -154,7 +154,7 @@ TEST(ReadExodus, MissingForeignAndDamagedFiles) {
                                  HasSubstr("the file may be truncated")))
         << left << " of " << size;
   }
-  EXPECT_THAT(message_of([&] { io::write_mesh("no/such/folder/m.exo", mesh::box(o)); }),
+  EXPECT_THAT(message_of([&] { io::write_mesh("no/such/folder/m.exo", meshgen::box(o)); }),
               HasSubstr("'no/such/folder/m.exo' cannot be written: No such file or directory"));
 }
 

@@ -2,7 +2,7 @@
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
 #include "abut/io/result_writer.hpp"
-#include "abut/mesh/generators.hpp"
+#include "abut/meshgen/generators.hpp"
 
 #include <exodusII.h>
 #include <gmock/gmock.h>
@@ -15,10 +15,10 @@ using namespace abut;
 namespace {
 
 mesh::MeshData whole_mesh() {
-  mesh::BlockPairOptions o;
+  meshgen::BlockPairOptions o;
   o.lower_divisions = {3, 4, 5};
   o.upper_divisions = {3, 3, 4};
-  mesh::MeshData m = mesh::block_pair(o);
+  mesh::MeshData m = meshgen::block_pair(o);
   for (Global n = 0; n < m.num_nodes(); ++n)
     m.node_id.push_back(100 + 3 * n);
   Global element = 0;

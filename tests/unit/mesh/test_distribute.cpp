@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/comm.hpp"
-#include "abut/mesh/generators.hpp"
 #include "abut/mesh/mesh.hpp"
+#include "abut/meshgen/generators.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 
 using namespace abut;
 using namespace abut::mesh;
+using namespace abut::meshgen;
 
 namespace {
 
@@ -169,15 +170,15 @@ TEST(Distribute, FewerElementsThanRanks) {
   EXPECT_EQ(comm.sum(Global(mesh.num_owned)), 8);
 }
 
-TEST(GhostExchange, BringsTheOwnersValues) {
+TEST(NodeExchange, BringsTheOwnersValues) {
   const Scene s;
-  const GhostExchange exchange(s.mesh);
+  const NodeExchange exchange = node_exchange(s.mesh);
   std::vector<double> values(2 * s.mesh.node.size(), -1.0);
   for (Local n = 0; n < s.mesh.num_owned; ++n) {
     values[2 * n] = static_cast<double>(s.mesh.node_input[n]);
     values[2 * n + 1] = s.comm.rank();
   }
-  exchange.update(values.data(), 2);
+  exchange.to_ghosts(values.data(), 2);
   for (Local n = 0; n < s.mesh.num_local(); ++n) {
     EXPECT_EQ(values[2 * n], static_cast<double>(s.mesh.node_input[n]));
     EXPECT_EQ(values[2 * n + 1], s.mesh.owner(s.mesh.node[n]));

@@ -1,49 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/assembly/block_pattern.hpp"
-#include "abut/assembly/rigid_body.hpp"
-#include "abut/assembly/rigid_joint.hpp"
-#include "abut/core/contribution.hpp"
-#include "abut/core/time_integration.hpp"
+#include "abut/assembly/constraints.hpp"
+#include "abut/assembly/contributions.hpp"
+#include "abut/assembly/external_work.hpp"
+#include "abut/assembly/motion_terms.hpp"
+#include "abut/assembly/tangent_matrix.hpp"
 #include "abut/core/timers.hpp"
+#include "abut/rigid/bodies.hpp"
+#include "abut/rigid/joints.hpp"
 
-#include <functional>
 #include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace abut::assembly {
-
-/// An unknown of an owned node that is prescribed: value(t) [unit of the field].
-struct Constraint {
-  Local node = 0; ///< owned mesh node
-  int field = 0;
-  std::function<double(double)> value;
-  Window window{};       ///< outside of it the unknown is free
-  bool relative = false; ///< the value counts from that of the last state before the window
-};
-
-/// Work done from outside between the accepted states, by the trapezoidal rule [energy].
-struct ExternalWork {
-  double loads = 0.0;
-  double supports = 0.0; ///< prescribed unknowns and prescribed motion of rigid bodies
-};
-
-/// How far the tangent of one contribution is from the slope of its residual.
-struct TangentMismatch {
-  std::string part;
-  double error = 0.0; ///< |K d - slope| / |slope| in the L2 norm [1]
-  double force = 0.0; ///< |slope|: zero when the contribution does not act [force/length]
-  Global node = -1;   ///< id of the node of the worst row; -1: there is no error at all
-  int field = 0;      ///< its component
-};
-
-class RigidBodies;
-class RigidJoints;
-struct RowConstraint;
 
 /// The equations of all contributions: f(x) = sum of residuals = 0 for the unknowns that are not
 /// constrained. Rows of other ranks are assembled here and added at their owner. Forces on nodes of
@@ -51,61 +21,57 @@ struct RowConstraint;
 /// Every member but the accessors is collective; errors of contributions are thrown on all ranks.
 class EquationSystem {
 public:
-  EquationSystem(DofMap dofs, PhaseTimers& timers);
-  ~EquationSystem();
+  /// bodies: those whose nodes the DofMap knows, joints: its links, in its order. Throws InputError
+  /// for an axis without direction.
+  EquationSystem(unknowns::DofMap dofs, PhaseTimers& timers, std::vector<rigid::Body> bodies = {},
+                 std::vector<rigid::Joint> joints = {});
   EquationSystem(const EquationSystem&) = delete;
-  EquationSystem& operator=(const EquationSystem&) = delete;
 
   void add(std::shared_ptr<Contribution> contribution);
   void set_constraints(std::vector<Constraint> constraints);
-  /// The bodies whose nodes the DofMap knows, in its order; before the first evaluation.
-  void set_rigid_bodies(std::vector<RigidBody> bodies);
-  /// The links of the DofMap, in its order; after set_rigid_bodies. Throws InputError for an axis
-  /// without direction.
-  void set_rigid_joints(std::vector<RigidJoint> joints);
   /// Loads and prescribed values from now on are those of load parameter t; which unknowns are
   /// prescribed may change.
   void set_time(double t);
   double time() const { return time_; }
   /// Events of the solution, told to all contributions; see Contribution.
-  void begin_solve(SolveKind kind);
-  void iterate_taken();
+  void begin_solve(SolveKind kind) { contributions_.begin_solve(kind); }
+  void iterate_taken() { contributions_.iterate_taken(); }
 
-  const DofMap& dofs() const { return dofs_; }
+  const unknowns::DofMap& dofs() const { return dofs_; }
+  /// As of the last residual.
+  const rigid::Bodies& bodies() const { return bodies_; }
+  const rigid::Joints& joints() const { return joints_; }
 
   /// f(x), zero in constrained rows.
   void residual(const Vector& x, Vector& f);
   /// df/dx; constrained rows and columns hold only their diagonal. Owned by the system.
   RCP<const Matrix> tangent(const Vector& x);
-  long graph_version() const { return pattern_.version(); }
+  long graph_version() const { return contributions_.pattern().version(); }
   bool symmetric() const;
   /// Whether multipliers are among the unknowns: only a direct solver then takes the tangent.
-  bool indefinite() const;
+  bool indefinite() const { return joints_.have_unknowns(); }
   /// Throws SolveError where the last residual is not that of a solution, however small it is.
-  void require_consistent() const;
+  void require_consistent() const { joints_.require_consistent(); }
 
   /// Norm of the forces in balance in the last residual (internal forces or what opposes them).
-  double reference_force() const { return reference_force_; }
+  double reference_force() const { return size_.reference; }
   /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the
   /// last tangent: a body that moves without strain has no other forces. [force]
-  double round_off_force() const { return round_off_force_; }
+  double round_off_force() const { return size_.round_off; }
   /// Whether the last residual follows the true laws, see Contribution::settled.
-  bool settled() const { return settled_; }
+  bool settled() const { return size_.settled; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
   /// Motion of the rigid bodies and reactions on them, as of the last residual. Not collective.
-  std::vector<RigidBodyState> rigid_body_states() const;
-  std::vector<RigidJointState> rigid_joint_states() const;
-  /// What joints need not hold, since others do: (joint, component) as words.
-  std::vector<std::pair<std::string, std::string>> implied_constraints() const;
+  std::vector<rigid::BodyState> body_states() const;
   /// (owned rows, 3) reference coordinates; of a rigid body's rows those of its center. [length]
   std::vector<double> row_coordinates() const;
 
   /// The tangent, and the right-hand side that moves free unknowns along with a change of the
   /// constrained ones, at x: a solve of its own, see SolveKind. Newton's is begun after it.
   RCP<const Matrix> predictor(const Vector& x, Vector& rhs);
-  void apply_constraints(Vector& x) const;
+  void apply_constraints(Vector& x) const { constraints_.apply(x, time_); }
 
   /// (N, fields) values of all local mesh nodes for x at the present time.
   std::vector<double> nodal_values(const Vector& x) const;
@@ -113,7 +79,7 @@ public:
   /// The last residual must be that at x.
   void accept(const Vector& x);
   void reject();
-  const ExternalWork& external_work() const { return external_work_; }
+  const ExternalWork& external_work() const { return work_.work(); }
 
   // --- dynamics: t is the time, and rates of momentum are part of the equations ---
 
@@ -128,80 +94,41 @@ public:
   std::vector<double> nodal_rates(const Vector& rates) const;
   /// Adds the accelerations of rigid bodies; those of inertial contributions have been set.
   void accelerate(const Vector& x, const Vector& acceleration);
-  bool has_inertia() const { return rule_.has_value(); }
-  /// Of the rigid bodies in the state of the last residual; empty without inertia.
-  std::vector<RigidBodyMotion> rigid_body_motions() const;
-
-  /// Each contribution's tangent where the residual was last asked, along a random direction of all
-  /// unknowns, against central differences of its residual over +- step [length]. Rows of free
-  /// rigid bodies are left out: their arm stiffness belongs to no contribution.
-  std::vector<TangentMismatch> check_tangent(double step);
 
 private:
-  struct Part;
-  /// What the work of the next step starts from.
-  struct WorkState {
-    std::vector<double> x, loads, raw; ///< (owned scalar rows)
-    std::vector<RigidBodyState> bodies;
-    std::vector<RigidJointState> joints;
+  friend class TangentCheck;
+  /// What the last residual is compared with.
+  struct Size {
+    double reference = 0.0, round_off = 0.0;
+    bool settled = true;
   };
-  long state_version() const;
   void prepare(const Vector& x);
-  void update_pattern();
-  enum class Force { internal, other, inertial };
-  static Force kind(const Contribution& contribution);
-  void assemble_residual(Force which, std::vector<double>& buffer);
-  void measure_forces(const Vector& x, const double (&norms)[3]);
-  void add_motion();
-  void keep_past();
-  ResidualScatter residual_scatter(const Part& part, std::vector<double>& buffer);
-  std::vector<double> load_residual();
-  void add_work(const Vector& x);
-  void assemble_tangent_of(Part& part);
-  std::vector<double> tangent_times(std::size_t part, const Vector& d);
-  std::vector<double> residual_of(std::size_t part, const Vector& x);
-  TangentMismatch compare(std::size_t part, const Vector& x, const Vector& d, double step);
-  void assemble_tangent(bool mass_alone);
-  RCP<const Matrix> make_matrix();
   void scale_joints();
-  double add_joint_forces(std::vector<double>& buffer);
-  RCP<const Vector> column_values(const Vector& owned) const;
-  bool follow_windows();
-  void mark_constrained();
-  void copy_constrained(Matrix& matrix) const;
-  NodalFields fields() const;
+  double add_joint_forces(std::vector<double>& residual);
+  Size measure(const Vector& x, const double (&norms)[4]) const;
+  void assemble_tangent(bool mass_alone);
+  void add_work(const Vector& x);
+  NodalFields fields() const { return {u_.data(), dofs_.fields(), time_}; }
 
-  DofMap dofs_;
+  unknowns::DofMap dofs_;
   PhaseTimers& timers_;
-  mesh::GhostExchange ghosts_;
-  BlockPattern pattern_;
-  std::vector<Part> parts_;
-  std::vector<RowConstraint> constraints_;
-  std::vector<RowConstraint> body_constraints_, joint_constraints_;
-  std::vector<char> constrained_;        ///< (owned scalar rows)
-  std::vector<char> constrained_column_; ///< (columns of the graph)
-  std::unique_ptr<RigidBodies> rigid_;
-  std::unique_ptr<RigidJoints> joints_;
+  NodeExchange ghosts_;
+  Contributions contributions_;
+  rigid::Bodies bodies_;
+  rigid::Joints joints_;
+  Constraints constraints_;
+  TangentMatrix tangent_;
+  MotionTerms motion_;
+  WorkLedger work_;
   double time_ = 0.0;
-  long state_version_ = -1; ///< of all contributions in the last prepare
-  bool prepared_ = false;
-  bool joints_scaled_ = true, scale_joints_ = false;
-  bool forces_known_ = false;      ///< whether the rigid bodies hold the forces of the last prepare
-  std::vector<double> u_;          ///< (N, fields) of the last prepare
-  std::vector<double> raw_values_; ///< owned and shared values, constraints not applied
-  std::vector<double> raw_residual_;    ///< owned rows
-  std::vector<double> diagonal_;        ///< owned rows of the last tangent, constraints not applied
-  std::optional<TimeIntegration> rule_; ///< none: no inertia
-  double accepted_time_ = 0.0;
-  std::vector<double> forces_, inertia_; ///< the two parts of the last residual, owned rows
-  std::vector<double> past_; ///< what the start of the step adds to the equation, owned rows
-  RCP<Vector> last_;         ///< where the residual was asked last
-  WorkState work_state_;
-  ExternalWork external_work_;
-  double joint_norm_ = 0.0; ///< squared forces of joints in this rank's rows
-  double reference_force_ = 0.0, round_off_force_ = 0.0;
-  bool settled_ = true;
-  RCP<Matrix> matrix_;
+  long state_version_ = -1;   ///< of all contributions in the last prepare
+  bool prepared_ = false;     ///< u_ and all that is made of it are of the last x and time
+  bool forces_known_ = false; ///< whether the rigid bodies hold the forces of the last prepare
+  bool joints_scaled_, scale_joints_;
+  std::vector<double> u_;            ///< (N, fields) of the last prepare
+  std::vector<double> raw_residual_; ///< owned rows
+  RCP<Vector> last_;                 ///< where the residual was asked last
+  Size size_;
 };
 
 } // namespace abut::assembly

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,10 @@ public:
 
 [[noreturn]] void throw_defect(const char* condition, const char* file, int line,
                                const std::string& message);
+
+/// Where a user gave a key, e.g. "FILE:LINE: contact.pair.primary" for contact.pair.primary:
+/// messages about what is wrong with it begin so.
+using Where = std::function<std::string(const std::string& path)>;
 
 /// Message when `word` is not one of `valid`: lists them and names the nearest one.
 std::string nearest_word_hint(const std::string& word, const std::string* valid, std::size_t count);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/contact/options.hpp"
 #include "abut/core/comm.hpp"
 #include "abut/deck/value.hpp"
 #include "abut/io/options.hpp"
-#include "abut/solid/options.hpp"
+#include "abut/scene/options.hpp"
 #include "abut/solver/options.hpp"
 
 #include <array>
@@ -29,15 +28,6 @@ struct MeshOptions {
 
   /// The parameters as the generator takes them.
   std::map<std::string, std::string> generator_options() const;
-};
-
-/// A function of the load parameter t: linear between its points, constant beyond the ends. Without
-/// points it is t itself.
-struct Curve {
-  std::string name;
-  std::vector<std::array<double, 2>> points; ///< (t, value), t strictly increasing
-
-  double operator()(double t) const;
 };
 
 enum class Quantity {
@@ -105,19 +95,11 @@ struct VerifyOptions {
 /// What a run tests of its own model.
 enum class ModelCheck { none, tangent };
 
-struct Deck {
+/// A scene, the mesh that it is on, how it is solved and what is written of it.
+struct Deck : scene::Options {
   std::string file; ///< the deck's own file name, as given
   std::string title;
   MeshOptions mesh;
-  std::vector<solid::MaterialOptions> materials;
-  std::vector<solid::BodyOptions> bodies;
-  std::vector<solid::JointOptions> joints;
-  std::vector<solid::DisplacementOptions> displacements;
-  std::vector<solid::LoadOptions> loads;
-  std::vector<Curve> curves;
-  std::vector<contact::ContactOptions> contact;
-  solver::TimeOptions time;
-  solver::DynamicsOptions dynamics;
   solver::NewtonOptions newton;
   solver::LinearOptions linear;
   io::OutputOptions output;
@@ -133,9 +115,6 @@ struct Deck {
 
   /// mesh.file seen from the working directory.
   std::string mesh_path() const;
-
-  /// The curve of this name; the ramp t for an empty name.
-  Curve curve(const std::string& name) const;
 };
 
 /// Fills and validates. Throws InputError "FILE:LINE: key path: what was expected, what was found".

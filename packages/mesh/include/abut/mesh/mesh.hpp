@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/core/comm.hpp"
+#include "abut/core/node_exchange.hpp"
 #include "abut/mesh/mesh_data.hpp"
 
 #include <map>
@@ -65,16 +66,7 @@ MeshData gather(const Mesh& mesh);
 /// This rank's part as a mesh of its own: local nodes, blocks (perhaps empty), number maps, sets.
 MeshData local_part(const Mesh& mesh);
 
-/// Sends rank-local values of nodes from their owners to the ranks that hold them as ghosts.
-class GhostExchange {
-public:
-  explicit GhostExchange(const Mesh& mesh);
-  /// values: (N, width), owned part filled; fills the ghost part. Collective.
-  void update(double* values, int width) const;
-
-private:
-  Comm comm_;
-  std::vector<std::vector<Local>> send_, receive_;
-};
+/// Exchange of values (N, width) of this rank's nodes between owners and ghosts. Collective.
+NodeExchange node_exchange(const Mesh& mesh);
 
 } // namespace abut::mesh

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/scene/names.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace abut::scene {
+
+namespace {
+
+template <class Map> std::vector<std::string> names(const Map& map) {
+  std::vector<std::string> result;
+  for (const auto& entry : map)
+    result.push_back(entry.first);
+  return result;
+}
+
+} // namespace
+
+std::vector<Local> nodes_of_set(const mesh::Mesh& mesh, const std::string& name) {
+  const auto set = mesh.node_sets.find(name);
+  if (set != mesh.node_sets.end())
+    return set->second;
+  std::set<Local> nodes;
+  for (const mesh::Side& s : mesh.side_sets.at(name)) {
+    const mesh::Block& block = mesh.blocks[std::size_t(s.block)];
+    const fem::CellSide& face = fem::side(block.type, s.side);
+    for (int a = 0; a < fem::face_nodes(face.type); ++a)
+      nodes.insert(block.nodes[std::size_t(s.element) * fem::info(block.type).nodes +
+                               std::size_t(face.nodes[a])]);
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+std::vector<std::string> set_names(const mesh::Mesh& mesh) {
+  std::vector<std::string> sets = names(mesh.node_sets);
+  for (std::string& name : names(mesh.side_sets))
+    sets.push_back(std::move(name));
+  std::sort(sets.begin(), sets.end()); // a name may stand for both
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+  return sets;
+}
+
+void require_name(const Where& where, const std::string& path, const std::string& what,
+                  const std::string& name, const std::vector<std::string>& valid) {
+  if (std::find(valid.begin(), valid.end(), name) != valid.end())
+    return;
+  throw InputError(where(path) + ": the mesh has no " + what + " '" + name + "'; " +
+                   nearest_word_hint(name, valid.data(), valid.size()));
+}
+
+void check_names(const Options& options, const mesh::Mesh& mesh, const Where& where) {
+  std::vector<std::string> blocks;
+  for (const mesh::Block& b : mesh.blocks)
+    blocks.push_back(b.name);
+  const auto node_sets = names(mesh.node_sets), side_sets = names(mesh.side_sets),
+             sets = set_names(mesh);
+  for (const auto& b : options.bodies)
+    for (const std::string& block : b.blocks)
+      require_name(where, "bodies." + b.name + ".blocks", "block", block, blocks);
+  for (const auto& b : options.bodies)
+    for (const std::string& set : b.node_sets)
+      require_name(where, "bodies." + b.name + ".node_sets", "node set", set, node_sets);
+  for (const auto& d : options.displacements)
+    require_name(where, "displacements." + d.name + ".set", "node set or side set", d.set, sets);
+  for (const auto& l : options.loads) {
+    const std::string path = "loads." + l.name;
+    if (l.kind == solid::LoadKind::body_force)
+      require_name(where, path + ".block", "block", l.place, blocks);
+    else if (l.kind == solid::LoadKind::force)
+      require_name(where, path + ".node_set", "node set", l.place, node_sets);
+    else
+      require_name(where, path + ".side_set", "side set", l.place, side_sets);
+  }
+  for (const auto& c : options.contact) {
+    require_name(where, "contact." + c.name + ".primary", "side set", c.primary, side_sets);
+    require_name(where, "contact." + c.name + ".secondary", "side set", c.secondary, side_sets);
+  }
+}
+
+} // namespace abut::scene

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/scene/supports.hpp"
+
+#include "abut/core/error.hpp"
+#include "pieces.hpp"
+#include "symmetric_eigen.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace abut::scene {
+
+namespace {
+
+using Mode = std::array<double, 6>; ///< translations, then rotations about the centre times size
+
+/// Pieces that share nodes, and what holds them: the sum of outer products of rows, one for each
+/// motion that is not possible. Motions without a row are free.
+struct Cluster {
+  std::vector<std::size_t> pieces;
+  std::vector<double> gram; ///< (6 pieces)^2
+};
+
+/// Motion along `direction` at x in each rigid mode.
+Mode row(const Vec3& direction, const Vec3& x, const Piece& piece) {
+  const Vec3 turn = (1.0 / piece.size) * cross(x - piece.center, direction);
+  return {direction[0], direction[1], direction[2], turn[0], turn[1], turn[2]};
+}
+
+std::string describe(std::size_t mode) {
+  const std::string axis(1, "xyz"[mode % 3]);
+  return (mode < 3 ? "translation along " : "rotation about ") + axis;
+}
+
+Vec3 position(const mesh::Mesh& mesh, Local n) {
+  const double* x = &mesh.x[3 * std::size_t(n)];
+  return {{x[0], x[1], x[2]}};
+}
+
+Vec3 unit(int i) {
+  Vec3 e = Vec3::zero();
+  e[i] = 1.0;
+  return e;
+}
+
+/// What may move, how it hangs together and what holds it. The same on all ranks.
+class Supports {
+public:
+  Supports(const Options& options, const Scene& scene)
+      : options_(options), s_(scene), pieces_(options, scene), cluster_of_(pieces_.size()) {
+    for (std::vector<std::size_t>& pieces : pieces_.clusters()) {
+      for (std::size_t i = 0; i < pieces.size(); ++i)
+        cluster_of_[pieces[i]] = {clusters_.size(), i};
+      clusters_.push_back({std::move(pieces), {}});
+      clusters_.back().gram.assign(
+          36 * clusters_.back().pieces.size() * clusters_.back().pieces.size(), 0.0);
+    }
+    prescribed();
+    shared_nodes();
+    joints();
+    contact();
+    for (Cluster& c : clusters_)
+      comm().sum(c.gram.data(), static_cast<int>(c.gram.size()));
+  }
+
+  std::vector<FreePiece> free() const {
+    std::vector<FreePiece> result;
+    for (const Cluster& cluster : clusters_) {
+      const std::size_t n = 6 * cluster.pieces.size();
+      std::vector<double> gram = cluster.gram;
+      double trace = 0.0;
+      for (std::size_t i = 0; i < n; ++i)
+        trace += gram[(n + 1) * i];
+      const std::vector<double> vectors = symmetric_eigen(gram, n);
+      std::map<std::size_t, FreePiece> found;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (gram[(n + 1) * j] > 1e-10 * trace)
+          continue;
+        const std::size_t largest = name_giver(cluster, vectors, j);
+        const Piece& piece = pieces_[cluster.pieces[largest / 6]];
+        FreePiece& free = found[largest / 6];
+        free.body = options_.bodies[std::size_t(piece.body)].name;
+        free.motions.push_back(describe(largest % 6));
+      }
+      for (const auto& entry : found)
+        result.push_back(entry.second);
+    }
+    return result;
+  }
+
+private:
+  /// The largest component of a motion: that of a rigid body where one moves, since what hangs on
+  /// it turns about its center and not about its own.
+  std::size_t name_giver(const Cluster& cluster, const std::vector<double>& vectors,
+                         std::size_t motion) const {
+    constexpr double moves = 1e-3;
+    const std::size_t n = 6 * cluster.pieces.size();
+    std::size_t largest = 0, of_body = 0;
+    double size = 0.0, body_size = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double component = std::fabs(vectors[n * i + motion]);
+      if (component > size + 1e-9) {
+        size = component;
+        largest = i;
+      }
+      if (pieces_.is_rigid(cluster.pieces[i / 6]) && component > body_size + 1e-9) {
+        body_size = component;
+        of_body = i;
+      }
+    }
+    return body_size > moves ? of_body : largest;
+  }
+
+  static constexpr std::size_t none = Pieces::none;
+  struct Term {
+    std::size_t piece;
+    Mode row;
+  };
+
+  /// Adds one row over pieces of one cluster.
+  void add(const std::vector<Term>& terms) {
+    Cluster& c = clusters_[cluster_of_[terms[0].piece].first];
+    const std::size_t n = 6 * c.pieces.size();
+    for (const Term& a : terms)
+      for (const Term& b : terms)
+        for (std::size_t i = 0; i < 6; ++i)
+          for (std::size_t j = 0; j < 6; ++j)
+            c.gram[n * (6 * cluster_of_[a.piece].second + i) + 6 * cluster_of_[b.piece].second +
+                   j] += a.row[i] * b.row[j];
+  }
+  void hold(std::size_t piece, const Vec3& direction, const Vec3& x) {
+    if (piece != none)
+      add({{piece, row(direction, x, pieces_[piece])}});
+  }
+
+  /// Displacements and components of bodies that are prescribed in the first step.
+  void prescribed() {
+    const double first = options_.time.end / options_.time.steps;
+    for (const assembly::Constraint& c : s_.constraints)
+      if (c.window.holds(first))
+        hold(pieces_.mover(c.node), unit(c.field), position(*s_.mesh, c.node));
+    if (!comm().is_root())
+      return;
+    for (std::size_t b = 0; b < s_.rigid_bodies.size(); ++b) {
+      if (pieces_.of_body(int(b)) == none)
+        continue;
+      const rigid::Body& body = s_.rigid_bodies[b];
+      for (std::size_t i = 0; i < 6; ++i)
+        if (body.prescribed[i])
+          hold_component(b, i);
+      for (const rigid::Hold& held : body.holds)
+        if (held.window.holds(first))
+          hold_component(b, static_cast<std::size_t>(held.component));
+    }
+  }
+  void hold_component(std::size_t body, std::size_t i) {
+    Mode component{};
+    component[i] = 1.0;
+    add({{pieces_.of_body(int(body)), component}});
+  }
+
+  /// Nodes of a deformable piece that a rigid body moves: both move alike there.
+  void shared_nodes() {
+    for (Local n = 0; n < s_.mesh->num_owned; ++n) {
+      const std::size_t piece = pieces_.deformable(n), body = pieces_.mover(n);
+      if (piece == none || s_.rigid_body_of_node[std::size_t(n)] < 0)
+        continue;
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 x = position(*s_.mesh, n);
+        std::vector<Term> terms{{piece, row(unit(i), x, pieces_[piece])}};
+        if (body != none)
+          terms.push_back({body, row(-unit(i), x, pieces_[body])});
+        add(terms);
+      }
+    }
+  }
+
+  /// What joints hold and springs resist, in the reference configuration.
+  void joints() {
+    if (!comm().is_root())
+      return;
+    for (const rigid::Joint& joint : s_.joints) {
+      const auto frame = rigid::joint_frame(joint.axis);
+      for (std::size_t i = 0; i < 6; ++i)
+        if (joint.held[i])
+          connect(joint, frame[i % 3], i >= 3);
+      if (!joint.is_spring())
+        continue;
+      const Vec3 along = joint.end - joint.origin;
+      const double length = norm(along);
+      if (length > joint.free_length || length == 0.0) // it then resists every direction
+        for (int i = 0; i < 3; ++i)
+          connect(joint, unit(i), false);
+      else
+        connect(joint, (1.0 / length) * along, false);
+    }
+  }
+
+  /// The second body does not move along, or turn about, a direction against the first.
+  void connect(const rigid::Joint& joint, const Vec3& direction, bool turns) {
+    double size = 0.0;
+    for (const std::size_t k : {0u, 1u})
+      if (pieces_.of_body(joint.body[k]) != none)
+        size = std::max(size, pieces_[pieces_.of_body(joint.body[k])].size);
+    std::vector<Term> terms;
+    for (const std::size_t k : {0u, 1u}) {
+      const std::size_t piece = pieces_.of_body(joint.body[k]);
+      if (piece == none)
+        continue;
+      const Vec3 d = (k == 0 ? -1.0 : 1.0) * direction;
+      const Vec3 turn = size / pieces_[piece].size * d;
+      const Vec3& x = joint.is_spring() && k == 1 ? joint.end : joint.origin;
+      terms.push_back({piece, turns ? Mode{0.0, 0.0, 0.0, turn[0], turn[1], turn[2]}
+                                    : row(d, x, pieces_[piece])});
+    }
+    if (!terms.empty())
+      add(terms);
+  }
+
+  /// Contact holds both sides along its normal; what moves the secondary's nodes is known to their
+  /// owners.
+  void contact() {
+    const mesh::Mesh& mesh = *s_.mesh;
+    std::vector<contact::ClosedPoint> closed;
+    std::vector<Global> secondary;
+    for (const auto& contact : s_.contacts)
+      for (const contact::ClosedPoint& q : contact->closed_points()) {
+        hold(pieces_.mover(contact->primary().field_index[std::size_t(q.primary_node)]), q.normal,
+             q.x);
+        closed.push_back(q);
+        secondary.push_back(q.secondary_node);
+      }
+    std::vector<std::size_t> movers;
+    for (Local n = 0; n < mesh.num_owned; ++n)
+      movers.push_back(pieces_.mover(n));
+    movers.resize(movers.size() + closed.size(), none);
+    NodeExchange(mesh.comm, mesh.first_node, secondary).to_ghosts(movers.data());
+    for (std::size_t i = 0; i < closed.size(); ++i)
+      hold(movers[std::size_t(mesh.num_owned) + i], closed[i].normal, closed[i].x);
+  }
+
+  const Comm& comm() const { return s_.mesh->comm; }
+
+  const Options& options_;
+  const Scene& s_;
+  const Pieces pieces_;
+  std::vector<Cluster> clusters_;
+  std::vector<std::pair<std::size_t, std::size_t>> cluster_of_; ///< cluster, place in it
+};
+
+} // namespace
+
+std::vector<FreePiece> free_pieces(const Options& options, const Scene& scene) {
+  return Supports(options, scene).free();
+}
+
+void require_supports(const Options& options, const Scene& scene, const Where& where) {
+  const auto free = free_pieces(options, scene);
+  if (free.empty())
+    return;
+  bool rigid = false;
+  for (const auto& body : options.bodies)
+    rigid = rigid || (body.name == free[0].body && body.rigid);
+  std::string list;
+  for (const std::string& motion : free[0].motions)
+    list += (list.empty() ? "" : ", ") + motion;
+  throw InputError(where("bodies." + free[0].body) + ": body '" + free[0].body +
+                   "' is free to move: " + list + ". Hold it with " +
+                   (rigid ? "prescribed components (those not listed as 'free'), with 'joints'"
+                          : "'displacements'") +
+                   ", or start it in closed contact");
+}
+
+} // namespace abut::scene
