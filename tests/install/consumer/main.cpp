@@ -12,7 +12,7 @@
 namespace {
 
 bool close(double value, double expected) {
-  return std::fabs(value - expected) < 1e-10;
+  return std::fabs(value - expected) < 1e-8;
 }
 
 bool contact_is_right(const abut::Comm& comm) {
