@@ -35,7 +35,7 @@ private:
 /// " from t = 1 until t = 2"; empty for the whole run.
 std::string explain_window(const Window& window) {
   return (window.from > 0.0 ? fmt::format(" from t = {:g}", window.from) : "") +
-         (window.until > 0.0 ? fmt::format(" until t = {:g}", window.until) : "");
+         (window.until ? fmt::format(" until t = {:g}", *window.until) : "");
 }
 
 /// What of a rigid body moves how. Collective.
@@ -181,8 +181,8 @@ Global duplicate_faces(const Model& m, const mesh::Surface& s) {
 void explain_contact(const Model& m, const Printer& print) {
   for (const auto& c : m.contacts) {
     const contact::ContactSummary s = c->summary();
-    print("contact {}: '{}' on '{}', {} points{}", c->name(), c->options().primary,
-          c->options().secondary, s.points, explain_window(c->options().window));
+    print("contact {}: '{}' on '{}', {} points{}", c->name(), c->settings().primary,
+          c->settings().secondary, s.points, explain_window(c->settings().window));
     if (!c->acts())
       continue;
     if (s.paired_points > 0)
@@ -190,7 +190,7 @@ void explain_contact(const Model& m, const Printer& print) {
             s.min_gap, s.max_gap);
     if (s.paired_points < s.points)
       print("  {} points have no partner within {:g} face sizes", s.points - s.paired_points,
-            c->options().reach);
+            c->settings().reach);
     if (s.paired_points == 0)
       print("  WARNING: no point has a partner: are the surfaces far apart, or do they face the "
             "wrong way?");
@@ -202,7 +202,7 @@ void explain_contact(const Model& m, const Printer& print) {
     if (s.min_gap < 0.0 && s.paired_points > 0)
       print("  note: the surfaces overlap at the start by up to {:.4g}", -s.min_gap);
     if (duplicate_faces(m, c->primary()) > 0)
-      print("  WARNING: faces stand twice in side set '{}'", c->options().primary);
+      print("  WARNING: faces stand twice in side set '{}'", c->settings().primary);
   }
 }
 

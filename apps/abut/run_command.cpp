@@ -119,14 +119,12 @@ int run(const RunOptions& options) {
   write();
   double written = 0.0;
 
-  // A status that has not come to rest would be augmented into the multipliers of friction.
+  const contact::AugmentationPolicy policy(m.contacts);
   solver::NewtonOptions newton_options = m.deck.newton;
-  for (const auto& c : m.contacts)
-    newton_options.inexact = newton_options.inexact && c->options().friction == 0.0;
-  newton_options.inexact = newton_options.inexact && augments_in_steps(m) && !may_tear(m);
+  newton_options.inexact = newton_options.inexact && policy.allows_loose_solves();
   solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
   auto augment = make_augmentation(
-      m, [&](int n, const auto& report) { progress.augmentation(n, report); },
+      policy, [&](int n, const auto& report) { progress.augmentation(n, report); },
       [&](const std::string& text) { progress.line("  warning: " + text); });
   if (m.deck.check == deck::ModelCheck::tangent)
     augment = scene::with_tangent_check(m, std::move(augment),

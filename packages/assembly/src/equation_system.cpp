@@ -48,6 +48,7 @@ void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
 void EquationSystem::set_time(double t) {
   time_ = t;
   prepared_ = false;
+  contributions_.begin_step();
   scale_joints_ = !joints_scaled_;
   if (dofs_.mesh().comm.any(constraints_.follow(t, work_.last_x())))
     tangent_.reset();
@@ -92,7 +93,8 @@ void EquationSystem::prepare(const Vector& x) {
   std::vector<double> u = nodal_values(x);
   std::vector<rigid::Placement> placements = bodies_.place(x, time_);
   std::vector<double> multipliers = joints_.multipliers(x);
-  const bool same = prepared_ && u.size() == u_.size() &&
+  const long state = contributions_.state_version();
+  const bool same = prepared_ && state == state_version_ && u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
                     bodies_.stands_at(placements) && joints_.stands_at(multipliers);
   if (!comm.any(!same))
@@ -105,6 +107,7 @@ void EquationSystem::prepare(const Vector& x) {
   if (comm.any(!u.empty() && !std::isfinite(u[0])))
     throw SolveError("an unknown is not a finite number");
   u_ = std::move(u);
+  state_version_ = state;
   prepared_ = false;
   forces_known_ = false;
   bodies_.move(std::move(placements));
@@ -167,10 +170,9 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
   bodies_.add_inertia_tangent(weight, pattern, values.data());
 }
 
-void EquationSystem::predictor(const Vector& x, Vector& rhs) {
-  predicting_ = true;
-  prepared_ = false;
-  tangent(x);
+RCP<const Matrix> EquationSystem::predictor(const Vector& x, Vector& rhs) {
+  begin_solve(SolveKind::prediction);
+  const RCP<const Matrix> matrix = tangent(x);
   Vector jump(dofs_.map());
   jump.assign(x);
   apply_constraints(jump);
@@ -182,8 +184,8 @@ void EquationSystem::predictor(const Vector& x, Vector& rhs) {
   for (std::size_t i = 0; i < lift.size(); ++i)
     r(i, 0) = constraints_.holds()[i] ? tangent_.diagonal(static_cast<Local>(i)) * own(i, 0)
                                       : -r(i, 0) - lift[i];
-  predicting_ = false;
-  predicted_ = true;
+  begin_solve(SolveKind::newton);
+  return matrix;
 }
 
 void EquationSystem::add_work(const Vector& x) {

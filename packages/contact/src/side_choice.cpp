@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/side_choice.hpp"
 
-#include "abut/contact/facing_surface.hpp"
+#include "kinematics/primary_surface.hpp"
+
+#include <algorithm>
 
 #include <cmath>
 #include <limits>
@@ -10,7 +12,8 @@ namespace abut::contact {
 
 SideComparison compare_sides(const Comm& comm, const mesh::Surface& primary,
                              const mesh::Surface& secondary) {
-  enum { area, count, modulus, columns };
+  enum { area, count, modulus, length, columns };
+  double softest = std::numeric_limits<double>::max();
   double sums[2 * columns] = {};
   const mesh::Surface* sides[2] = {&primary, &secondary};
   for (int s = 0; s < 2; ++s) {
@@ -18,12 +21,18 @@ SideComparison compare_sides(const Comm& comm, const mesh::Surface& primary,
     for (std::size_t f = 0; f < size.size(); ++f) {
       sums[columns * s + area] += size[f] * size[f];
       sums[columns * s + count] += 1.0;
+      sums[columns * s + length] += size[f];
+      if (sides[s]->modulus[f] > 0.0)
+        softest = std::min(softest, sides[s]->modulus[f]);
       sums[columns * s + modulus] += size[f] * size[f] * sides[s]->modulus[f];
     }
   }
   comm.sum(sums, 2 * columns);
   const double *p = sums, *q = sums + columns;
   SideComparison result;
+  softest = comm.min(softest);
+  result.softest = softest == std::numeric_limits<double>::max() ? 0.0 : softest;
+  result.face_size = (p[length] + q[length]) / (p[count] + q[count]);
   result.size = std::sqrt(p[area] / p[count] * q[count] / q[area]);
   if (q[modulus] == 0.0)
     result.stiffness = 0.0;

@@ -46,6 +46,10 @@ void Comm::sum(double* x, int count) const {
   MPI_Allreduce(MPI_IN_PLACE, x, count, MPI_DOUBLE, MPI_SUM, comm_);
 }
 
+void Comm::max(double* x, int count) const {
+  MPI_Allreduce(MPI_IN_PLACE, x, count, MPI_DOUBLE, MPI_MAX, comm_);
+}
+
 Global Comm::exclusive_scan(Global x) const {
   Global result = 0;
   MPI_Exscan(&x, &result, 1, MPI_LONG_LONG, MPI_SUM, comm_);

@@ -19,7 +19,7 @@ template <class V> void describe_window(V& v, Window& o, const std::string& begi
              ("holds in steps that end after this value of the load parameter" + beginning).c_str(),
              at_least(0.0, "1"));
   v.optional("until", o.until, "and not after this one; 0: to the end", at_least(0.0, "1"));
-  v.check("until", o.until == 0.0 || o.until > o.from, "expected more than from");
+  v.check("until", !o.until || *o.until > o.from, "expected more than from");
 }
 
 template <class V> void describe(V& v, solid::MaterialOptions& o) {

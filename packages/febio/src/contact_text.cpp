@@ -96,7 +96,8 @@ private:
       const auto step = static_cast<std::size_t>(c.step);
       const Window window = model_.window(step, step);
       line_unless("from", window.from, 0.0);
-      line_unless("until", window.until, 0.0);
+      if (window.until)
+        line_unless("until", *window.until, 0.0);
     }
     return lines_;
   }

@@ -50,8 +50,8 @@ private:
 inline void add_window(FlowMap& map, const Window& window) {
   if (window.from > 0.0)
     map.add("from", window.from);
-  if (window.until > 0.0)
-    map.add("until", window.until);
+  if (window.until)
+    map.add("until", *window.until);
 }
 
 /// What prescribes a component of a rigid body in some steps.

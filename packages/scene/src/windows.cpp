@@ -27,7 +27,7 @@ std::vector<std::string> windows_between_steps(const Options& options) {
   std::vector<std::string> result;
   const double step = options.time.end / options.time.steps;
   each_window(options, [&](const std::string& path, const Window& window) {
-    for (const double t : {window.from, window.until})
+    for (const double t : {window.from, window.until.value_or(0.0)})
       if (t < options.time.end && std::abs(t / step - std::round(t / step)) > same)
         result.push_back(fmt::format("{}: no step ends at t = {:g}; what begins or ends there does "
                                      "so with the step that goes beyond",
@@ -43,7 +43,7 @@ std::vector<std::string> windows_at(const Options& options, double t) {
     const auto is_now = [&](double edge) {
       return edge > 0.0 && std::abs(edge - t) <= same * step;
     };
-    if (is_now(window.from) || is_now(window.until))
+    if (is_now(window.from) || is_now(window.until.value_or(0.0)))
       result.push_back(path);
   });
   return result;

@@ -82,7 +82,7 @@ template <int D> std::vector<Box<D>> Bvh<D>::summary(int levels) const {
   while (!open.empty()) {
     const auto [id, level] = open.back();
     open.pop_back();
-    const TreeNode& node = nodes_[id];
+    const TreeNode<D>& node = nodes_[id];
     if (level == levels || node.count > 0) {
       result.push_back(node.box);
     } else {

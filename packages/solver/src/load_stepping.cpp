@@ -135,8 +135,7 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
 
 void LoadStepping::predict(NonlinearSystem& system, Vector& x) {
   Vector rhs(x.getMap()), dx(x.getMap());
-  system.predictor(x, rhs);
-  const auto tangent = system.tangent(x);
+  const auto tangent = system.predictor(x, rhs);
   auto& linear = loop_.newton().linear();
   linear.setup(tangent, system.graph_version(), system.symmetric());
   linear.solve(rhs, dx, loop_.newton().linear_tolerance());

@@ -10,6 +10,7 @@
 #include "parameter_text.hpp"
 #include "thyra_model.hpp"
 
+#include <NOX_Observer.hpp>
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
 #include <NOX_Thyra_Group.H>
@@ -20,6 +21,17 @@
 namespace abut::solver {
 
 namespace {
+
+/// Tells the system when Newton goes on from an iterate: its tangent has been used, and the trials
+/// of the line search come next.
+class IterateObserver : public NOX::Observer {
+public:
+  explicit IterateObserver(NonlinearSystem& system) : system_(system) {}
+  void runPreLineSearch(const NOX::Solver::Generic&) override { system_.iterate_taken(); }
+
+private:
+  NonlinearSystem& system_;
+};
 
 RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double linear_tolerance,
                                            bool indefinite) {
@@ -87,8 +99,10 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
     origin = rcp(new Vector(x, Teuchos::Copy));
   const IncrementScale scale{*origin, largest_work_};
   const auto test = rcp(new ConvergenceTest(system, linear_, options_, early, scale, observer));
-  const auto solver =
-      build_solver(group, test, nox_parameters(options_, linear_tolerance_, system.indefinite()));
+  const auto list = nox_parameters(options_, linear_tolerance_, system.indefinite());
+  list->sublist("Solver Options")
+      .set<RCP<NOX::Observer>>("Observer", rcp(new IterateObserver(system)));
+  const auto solver = build_solver(group, test, list);
   try {
     solver->solve();
   } catch (const char* e) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Anderson's acceleration on linear iterations, values spread over the ranks.
-#include "abut/contact/anderson.hpp"
+#include "multipliers/anderson.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -54,7 +54,8 @@ struct Twins {
   void augment() {
     scene.pair->augment();
     reference.augment(scene.system.u);
-    scene.system.evaluate(*scene.pair, false); // status is held once
+    scene.system.evaluate(*scene.pair, false);
+    scene.pair->iterate_taken(); // until then the status is held
     compare();
   }
   void accept() {
@@ -182,8 +183,8 @@ TEST_P(DualAutomatic, SmoothedIsTheTheorysTangent) {
       s.system.evaluate(*s.pair, true);
       tangent[automatic] = s.system.tangent;
       double least = 1e300, most = 0.0;
-      for (const PointState& p : s.pair->points())
-        if (p.pressed()) {
+      for (const Site& p : s.pair->sites())
+        if (p.state.pressed()) {
           least = std::min(least, p.multiplier);
           most = std::max(most, p.multiplier);
         }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodal law on plates and patches moved by hand: its weights, uniform states, friction, ends.
-#include "abut/contact/dual_weights.hpp"
+#include "spaces/dual_weights.hpp"
 #include "abut/contact/interaction.hpp"
 #include "abut/core/error.hpp"
+#include "abut/fem/quadrature.hpp"
 #include "dual_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -151,7 +152,7 @@ TEST_P(DualLaws, UserUpdateSeesNodes) {
   o.enforcement = Enforcement::augmented_lagrangian;
   Plates plates(o);
   int calls = 0;
-  plates.pair.set_update([&](const PointState& node, double& pressure, Vec3&) {
+  plates.pair.set_update([&](const Site& node, double& pressure, Vec3&) {
     ++calls;
     EXPECT_NEAR(node.gap, -0.01, 1e-14);
     EXPECT_NEAR(node.penalty, 100.0, 1e-12);
@@ -289,7 +290,7 @@ TEST_P(DualLaws, PrescribedNodesHaveNoMultiplierOfTheirOwn) {
   directions[7] = 3;
   plates.pair.set_prescribed(directions);
   std::vector<int> seen;
-  plates.pair.set_update([&](const PointState&, double& p, Vec3&) { seen.push_back(p > 0.0); });
+  plates.pair.set_update([&](const Site&, double& p, Vec3&) { seen.push_back(p > 0.0); });
   const Vec3 f = plates.force(0.13, 0.07, -0.01);
   EXPECT_NEAR(f[2], 1.0, 1e-13);
   for (double p : plates.pressures())

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/contact/corner_space.hpp"
-#include "abut/contact/dual_weights.hpp"
+#include "spaces/nodal_arrays.hpp"
+#include "spaces/dual_weights.hpp"
 #include "abut/contact/options.hpp"
 #include "abut/contact/point_force.hpp"
 #include "abut/fem/quadrature.hpp"
+#include "abut/mesh/surface.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,7 @@ public:
   int count(Count which) const { return count_[which]; }
 
 private:
-  static constexpr int corners_at_most = CornerSpace::max_corners;
+  static constexpr int corners_at_most = max_corners;
   using Weights = std::array<double, corners_at_most>;
   struct Table {
     std::vector<double> N, dN;
@@ -161,7 +162,7 @@ inline void DualReference::find(Point& p, const std::vector<double>& u) const {
     double xi[2];
     fem::dispatch_face(type, [&](auto s) { decltype(s)::center(xi); });
     double distance;
-    if (options_.uses_ray()) {
+    if ((options_.formulation == Formulation::sliding_elastic)) {
       const auto hit = search::intersect(type, y.data(), at.x, -at.normal, xi);
       if (!hit.converged)
         continue;
@@ -233,7 +234,7 @@ ContactPoint DualReference::contact_point(const Point& p, const std::vector<Vec3
                                           ContactPartner<T>& partner,
                                           const std::vector<T>& u) const {
   ContactPoint c;
-  c.ray = options_.uses_ray();
+  c.ray = (options_.formulation == Formulation::sliding_elastic);
   c.shape = shape(p);
   c.face = secondary_.type[p.facing];
   std::copy_n(p.xi, 2, c.xi);
@@ -259,7 +260,7 @@ template <class T> void DualReference::law(Node& node, Means<T>& m) {
     node.previous_gap = node.gap;
     node.in_contact = node.gap <= 0.0;
   }
-  m.pressure = node.multiplier - options_.penalty * m.gap;
+  m.pressure = node.multiplier - *options_.penalty * m.gap;
   if (value_of(m.pressure) <= 0.0) {
     m.pressure = 0.0;
     ++count_[open];
@@ -274,7 +275,7 @@ template <class T> void DualReference::law(Node& node, Means<T>& m) {
   c.first = !node.in_contact;
   c.previous_gap = node.previous_gap;
   c.multiplier = node.multiplier;
-  c.penalty = options_.penalty;
+  c.penalty = *options_.penalty;
   const T stiffness = c.penalty * contact_share(c, m.gap);
   const Vec<T, 3> z = m.carried - stiffness * m.slip;
   m.shear = z - T(dot(m.normal, z)) * m.normal;

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace abut;
+using contact::Keep;
 using contact::ShearChoice;
 using contact::ShearIterate;
 
@@ -75,11 +76,11 @@ TEST_P(Switching, SlipHasTheDerivativeOfTheReturnMapInTheEnd) {
 TEST_P(Switching, StaysWithAHeldStatus) {
   const ShearIterate last{true, false, {}};
   const Vec3 far{{3.0, 0, 0}}, near{{0.1, 0, 0}};
-  const ShearChoice stick = choose_shear(last, far, up, limit, GetParam(), false);
+  const ShearChoice stick = choose_shear(last, far, up, limit, GetParam(), Keep::stick);
   EXPECT_FALSE(stick.slips);
   EXPECT_FALSE(stick.settled);
   EXPECT_EQ(stick.traction[0], 3.0);
-  const ShearChoice slip = choose_shear(last, near, up, limit, GetParam(), true);
+  const ShearChoice slip = choose_shear(last, near, up, limit, GetParam(), Keep::slip);
   EXPECT_TRUE(slip.slips);
   EXPECT_FALSE(slip.settled);
   EXPECT_NEAR(slip.traction[0], limit, 1e-15);

@@ -166,6 +166,7 @@ TEST_P(Friction, AugmentationTakesAwayTheElasticSlip) {
   EXPECT_NEAR(plates.pair->augmentation().gap, 0.003 / 0.5, 1e-12); // motion in stick
   plates.pair->augment();
   EXPECT_NEAR(plates.force(0.0, 0.0, 0.0)[0], -0.3, 1e-12); // back at the anchor, with the force
+  plates.pair->iterate_taken(); // until then the status is held
   plates.force(0.1, 0.0, 0.0);
   plates.pair->augment();
   const Vec3 f = plates.force(0.1, 0.0, 0.0);
@@ -173,7 +174,7 @@ TEST_P(Friction, AugmentationTakesAwayTheElasticSlip) {
   EXPECT_NEAR(f[2], 1.0, 1e-12);
 }
 
-TEST_P(Friction, StatusIsHeldForTheFirstEvaluationAfterAnAugmentation) {
+TEST_P(Friction, StatusIsHeldUntilAnIterateIsTakenAfterAnAugmentation) {
   Law law = GetParam();
   law.enforcement = contact::Enforcement::augmented_lagrangian;
   Plates plates(with_friction(law));
@@ -186,6 +187,7 @@ TEST_P(Friction, StatusIsHeldForTheFirstEvaluationAfterAnAugmentation) {
   plates.pair->augment();
   plates.force(0.03, 0.0, -0.01); // far beyond the cone, but held
   EXPECT_EQ(plates.pair->summary().stick_points, plates.pair->summary().points);
+  plates.pair->iterate_taken();
   plates.force(0.03, 0.0, -0.010001); // the next evaluation decides
   EXPECT_EQ(plates.pair->summary().slip_points, plates.pair->summary().points);
 }
@@ -286,7 +288,7 @@ TEST(InteractionOptions, CallbackReplacesTheUpdate) {
   o.enforcement = contact::Enforcement::augmented_lagrangian;
   Plates plates(o);
   plates.pair->set_update(
-      [](const contact::PointState&, double& pressure, Vec3&) { pressure *= 0.5; });
+      [](const contact::Site&, double& pressure, Vec3&) { pressure *= 0.5; });
   plates.force(0, 0, -0.01);
   plates.pair->augment();
   EXPECT_NEAR(plates.force(0, 0, -0.01)[2], 1.5, 1e-12);

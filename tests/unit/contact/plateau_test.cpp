@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Augmentations that bring nothing: which cause is named.
 #include "dual_scene.hpp"
+#include "multipliers/plateau.hpp"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -77,20 +78,21 @@ TEST(PlateauTest, SetsThatComeBackTakeHalfSteps) {
   abut::contact::testing::DualScene scene(fem::FaceType::quad4, fem::FaceType::quad4, o, 0.02);
   const auto at = [&](double z) {
     scene.move(0.0, {{0.0, 0.0, z}});
-    scene.system.evaluate(*scene.pair, false); // status is held once
+    scene.system.evaluate(*scene.pair, false);
+    scene.pair->iterate_taken(); // until then the status is held
     scene.system.evaluate(*scene.pair, false);
     return scene.pair->summary().active_points;
   };
   const auto way = [&] { // that the multipliers go, over the way to the pressures
     std::vector<double> multiplier, pressure;
-    for (const PointState& p : scene.pair->points()) {
-      multiplier.push_back(p.history.multiplier);
-      pressure.push_back(p.pressure);
+    for (const Site& p : scene.pair->sites()) {
+      multiplier.push_back(p.multiplier);
+      pressure.push_back(p.state.pressure);
     }
     scene.pair->augment();
     double moved = 0.0, whole = 0.0;
     for (std::size_t i = 0; i < multiplier.size(); ++i) {
-      moved += std::fabs(scene.pair->points()[i].history.multiplier - multiplier[i]);
+      moved += std::fabs(scene.pair->sites()[i].multiplier - multiplier[i]);
       whole += std::fabs(pressure[i] - multiplier[i]);
     }
     EXPECT_GT(whole, 0.01);

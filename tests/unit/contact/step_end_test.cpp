@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// max_augmentations: 0, where multipliers change once at the end of a step, in every space.
+// uzawa: end_of_step, where multipliers change once at the end of a step, in every space.
 #include "dual_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ ContactOptions options(Multipliers space, Formulation formulation, double fricti
   o.formulation = formulation;
   o.friction = friction;
   o.enforcement = Enforcement::augmented_lagrangian;
-  o.max_augmentations = 0;
+  o.uzawa = Uzawa::end_of_step;
   return o;
 }
 

@@ -53,9 +53,10 @@ public:
   double reference_force() const override { return reference; }
 
   void set_time(double t) override { time = t; }
-  void predictor(const Vector& x, Vector& rhs) override {
+  RCP<const Matrix> predictor(const Vector& x, Vector& rhs) override {
     residual(x, rhs);
     rhs.scale(-1.0);
+    return tangent(x);
   }
   void apply_constraints(Vector&) override {}
   void accept(const Vector&) override { ++accepted; }

@@ -49,7 +49,7 @@ public:
   void residual(const Vector& x, Vector& f) override { matrix_->apply(x, f); }
   double reference_force() const override { return 1.0; }
   void set_time(double) override {}
-  void predictor(const Vector&, Vector&) override {}
+  RCP<const Matrix> predictor(const Vector&, Vector&) override { return matrix_; }
   void apply_constraints(Vector&) override {}
   void accept(const Vector&) override {}
   void reject() override {}

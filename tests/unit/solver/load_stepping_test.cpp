@@ -29,11 +29,12 @@ public:
     reference = 4.0;
   }
 
-  void predictor(const Vector& x, Vector& rhs) override {
-    DenseSystem::predictor(x, rhs);
+  RCP<const Matrix> predictor(const Vector& x, Vector& rhs) override {
+    const auto matrix = DenseSystem::predictor(x, rhs);
     Values all = gather(rhs);
     all[2] = time - gather(x)[2];
     scatter_to(all, rhs);
+    return matrix;
   }
   void apply_constraints(Vector& x) override {
     Values all = gather(x);

@@ -33,8 +33,9 @@ public:
   /// prescribed may change.
   void set_time(double t);
   double time() const { return time_; }
-  /// A contribution's state changed by other means than x and t (multipliers): evaluate anew.
-  void state_changed() { prepared_ = false; }
+  /// Events of the solution, told to all contributions; see Contribution.
+  void begin_solve(SolveKind kind) { contributions_.begin_solve(kind); }
+  void iterate_taken() { contributions_.iterate_taken(); }
 
   const unknowns::DofMap& dofs() const { return dofs_; }
   /// As of the last residual.
@@ -67,8 +68,9 @@ public:
   /// (owned rows, 3) reference coordinates; of a rigid body's rows those of its center. [length]
   std::vector<double> row_coordinates() const;
 
-  /// Right-hand side that moves free unknowns along with a change of the constrained ones.
-  void predictor(const Vector& x, Vector& rhs);
+  /// The tangent, and the right-hand side that moves free unknowns along with a change of the
+  /// constrained ones, at x: a solve of its own, see SolveKind. Newton's is begun after it.
+  RCP<const Matrix> predictor(const Vector& x, Vector& rhs);
   void apply_constraints(Vector& x) const { constraints_.apply(x, time_); }
 
   /// (N, fields) values of all local mesh nodes for x at the present time.
@@ -102,11 +104,10 @@ private:
   };
   void prepare(const Vector& x);
   void scale_joints();
-  double add_joint_forces(std::vector<double>& residual);
   Size measure(const Vector& x, const double (&norms)[4]) const;
   void assemble_tangent(bool mass_alone);
   void add_work(const Vector& x);
-  NodalFields fields() const { return {u_.data(), dofs_.fields(), time_, predicting_}; }
+  NodalFields fields() const { return {u_.data(), dofs_.fields(), time_}; }
 
   unknowns::DofMap dofs_;
   PhaseTimers& timers_;
@@ -119,8 +120,7 @@ private:
   MotionTerms motion_;
   WorkLedger work_;
   double time_ = 0.0;
-  bool predicting_ = false;   ///< see NodalFields::prediction
-  bool predicted_ = false;    ///< what is prepared is of the prediction
+  long state_version_ = -1;   ///< of all contributions in the last prepare
   bool prepared_ = false;     ///< u_ and all that is made of it are of the last x and time
   bool forces_known_ = false; ///< whether the rigid bodies hold the forces of the last prepare
   bool joints_scaled_, scale_joints_;

@@ -3,6 +3,7 @@
 
 #include "abut/core/window.hpp"
 
+#include <optional>
 #include <string>
 
 namespace abut::contact {
@@ -55,6 +56,12 @@ enum class Multipliers {
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
+/// When multipliers change.
+enum class Uzawa {
+  nested,      ///< after each solve of a step, until the tolerances hold
+  end_of_step, ///< once, at the end of each step, without another solve
+};
+
 /// What the next multipliers are made of.
 enum class AugmentationRule {
   automatic, ///< anderson for smoothed and dual multipliers, plain at points
@@ -80,9 +87,10 @@ struct ContactOptions {
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
   AugmentationRule augmentation = AugmentationRule::automatic;
+  Uzawa uzawa = Uzawa::nested;
 
-  double penalty_factor = 0.0; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
-  double penalty = 0.0;        ///< eps itself, 0 means automatic [pressure/length]
+  std::optional<double> penalty_factor; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
+  std::optional<double> penalty;        ///< eps itself, 0 means automatic [pressure/length]
   std::string penalty_curve;   ///< factor on the penalty over t
   bool update_penalty = false; ///< A of the automatic penalty is the area of the last step
 
@@ -98,57 +106,26 @@ struct ContactOptions {
   double tie_distance = 0.1;   ///< what is close, in face sizes [1]
   bool sticky = false;         ///< points that touch or overlap are tied from then on
   double stick_within = 0.0;   ///< gap up to which a sticky point touches [length]
-  double stick_strength = 0.0; ///< normal tension that a sticky point stands; 0: any [pressure]
+  std::optional<double> stick_strength; ///< normal tension that a sticky point stands; 0: any [pressure]
   double offset = 0.0; ///< gap that counts as closed, e.g. a shell's half thickness [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
 
-  int points = 0; ///< integration points per direction; 0: 2 on linear faces, 3 on quadratic
+  std::optional<int> points; ///< integration points per direction; 0: 2 on linear faces, 3 on quadratic
 
   double reach = 3.0;              ///< how far a partner is sought, in sizes of the larger face [1]
   double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
-  int segment_updates = 0;         ///< searches in a solve after which partners stay; 0: no limit
+  std::optional<int> segment_updates;         ///< searches in a solve after which partners stay; 0: no limit
 
   // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum. With a
   // maximum of zero multipliers change once, at the end of each step.
-  double multiplier_tolerance = 0.0; ///< relative change of the multipliers; 0: 1e-2, not asked
+  std::optional<double> multiplier_tolerance; ///< relative change of the multipliers; 0: 1e-2, not asked
                                      ///< of dual ones [1]
-  double gap_tolerance = 0.0; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
+  std::optional<double> gap_tolerance; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
                               ///< multipliers where no tolerance is given [1]
-  double gap_limit = 0.0;     ///< largest penetration; 0: not asked [length]
+  std::optional<double> gap_limit;     ///< largest penetration; 0: not asked [length]
   int min_augmentations = 0;
   int max_augmentations = 20;
 
-  /// Whether multipliers change at the end of a step only.
-  bool augments_at_end() const {
-    return enforcement == Enforcement::augmented_lagrangian && max_augmentations == 0;
-  }
-  /// Whether the tractions at the end of a step become the multipliers that the next one starts
-  /// from.
-  bool carries_tractions() const {
-    return augments_at_end() ||
-           (enforcement == Enforcement::augmented_lagrangian && multipliers == Multipliers::dual);
-  }
-  /// Whether the next multipliers are made of several solves.
-  bool accelerates() const {
-    return friction == 0.0 && !has_anchors() && !tension &&
-           (augmentation == AugmentationRule::anderson ||
-            (augmentation == AugmentationRule::automatic && multipliers != Multipliers::per_point));
-  }
-  /// Whether points stay with one place of the secondary, without friction.
-  bool has_anchors() const { return tied || sticky; }
-  bool uses_ray() const { return formulation == Formulation::sliding_elastic; }
-  /// Whether these options go with dual multipliers.
-  bool goes_dual() const {
-    return !has_anchors() && !tension && tangent != Tangent::automatic &&
-           friction_map != FrictionMap::inclined_ray && friction_map != FrictionMap::literal;
-  }
-  FrictionMap map() const {
-    if (multipliers == Multipliers::dual)
-      return FrictionMap::incremental;
-    if (friction_map != FrictionMap::automatic)
-      return friction_map;
-    return uses_ray() ? FrictionMap::inclined_ray : FrictionMap::incremental;
-  }
 };
 
 } // namespace abut::contact

@@ -13,6 +13,8 @@ namespace abut::contact {
 struct SideComparison {
   double stiffness = 1.0; ///< modulus of the primary over that of the secondary; inf: rigid primary
   double size = 1.0;      ///< faces of the primary over those of the secondary
+  double softest = 0.0;   ///< smallest modulus of both sides; 0: both are rigid [pressure]
+  double face_size = 0.0; ///< mean over both sides [length]
 
   bool prefers_swap() const { return stiffness > 1.5; }
   /// Compliance that a multiplier finds, as a fraction of what it needs: 1 or more is healthy. In

@@ -29,6 +29,7 @@ public:
   Global max(Global x) const;
   bool any(bool x) const;
   void sum(double* x, int count) const;
+  void max(double* x, int count) const;
   /// Sum of x over the ranks below this one.
   Global exclusive_scan(Global x) const;
 

@@ -15,9 +15,6 @@ struct NodalFields {
   const double* u = nullptr; ///< (N, fields) unknowns; the displacement comes first [length]
   int fields = 0;            ///< unknowns per node
   double time = 0.0;         ///< load parameter
-  /// u is the last step's while loads and prescribed bodies are already the next one's: what is
-  /// made of it only predicts the step.
-  bool prediction = false;
 };
 
 /// Cells as lists of global mesh node ids, in CRS form: cell i has the nodes
@@ -38,6 +35,25 @@ struct Connectivity {
   }
 };
 
+/// What a solve is for.
+enum class SolveKind {
+  /// One linear solve that moves the last state along with the new loads: u is the last step's
+  /// while loads and prescribed bodies are already the next one's.
+  prediction,
+  newton,             ///< Newton's iteration of a step
+  after_augmentation, ///< the same again, after multipliers have changed
+};
+
+/// What the forces of a contribution are to the equations.
+enum class Role {
+  internal, ///< forces of bodies: their size is what residuals are compared with
+  external, ///< loads: what they do is work from outside
+  contact,  ///< forces between bodies
+  /// Rates of momentum, see TimeIntegration. Where no time has gone by since the last accepted
+  /// state, the tangent is the derivative by the acceleration: the mass.
+  inertia,
+};
+
 /// A sum of small dense blocks over cells of a few nodes: the one thing that assembly knows of any
 /// physics (solid, contact, loads). Residuals have the sign of internal force minus external force.
 class Contribution {
@@ -45,6 +61,7 @@ public:
   virtual ~Contribution() = default;
 
   virtual const char* name() const = 0;
+  virtual Role role() const { return Role::external; }
   virtual Phase phase() const { return Phase::solid; } ///< whose time its evaluation counts as
 
   /// Brings everything that depends on the configuration up to date (search, pairs, ghosts) before
@@ -68,19 +85,29 @@ public:
   /// Whether the tangent is symmetric.
   virtual bool symmetric() const { return true; }
 
-  /// Whether it holds internal forces of bodies: their size is what residuals are compared with.
-  virtual bool internal_force() const { return false; }
-
-  /// Whether it holds rates of momentum, see TimeIntegration. Where no time has gone by since the
-  /// last accepted state, its tangent is the derivative by the acceleration: the mass.
-  virtual bool inertial() const { return false; }
-
   /// Square of the residual norm that rounding of positions makes, of this rank's cells [force^2].
   virtual double round_off_force2() const { return 0.0; }
 
   /// Whether the last prepared residual follows the true laws on this rank; false while a law
   /// stands in for another on the way there. A solve does not end before all are settled.
   virtual bool settled() const { return true; }
+
+  // Events. A residual is a function of the unknowns, the converged history and the iterate state;
+  // only these, and what changes multipliers, change the latter two. In their order:
+  //   begin_step
+  //   begin_solve(prediction)
+  //   begin_solve(newton), iterate_taken for each iterate that Newton goes on from
+  //   begin_solve(after_augmentation), iterates again, as often as multipliers change
+  //   accept or reject
+  // Evaluations between them (trials of a line search, a second tangent, a check of the tangent)
+  // leave no trace.
+
+  virtual void begin_step() {} ///< a step from the last accepted state, or another attempt at it
+  virtual void begin_solve(SolveKind) {}
+  /// Newton has linearised at the last prepared unknowns and goes on from there.
+  virtual void iterate_taken() {}
+  /// Grows with every change of the state that the next residual depends on beside u and time.
+  virtual long state_version() const { return 0; }
 
   virtual void accept() {} ///< the step converged: trial state becomes history
   virtual void reject() {} ///< the step failed: trial state is dropped

@@ -77,15 +77,17 @@ struct ResidualScatter {
   RigidScatter rigid = {};
 
   /// r: (n, fields) of the cell.
-  KOKKOS_INLINE_FUNCTION void add(Local cell, const double* r) const {
-    for (Local s = cell_offset[cell]; s < cell_offset[cell + 1]; ++s, r += fields) {
+  KOKKOS_INLINE_FUNCTION void add(Local cell, const double* r) const { add(cell, r, fields); }
+  /// r: (n, width), the first fields of each node; the others are not touched.
+  KOKKOS_INLINE_FUNCTION void add(Local cell, const double* r, int width) const {
+    for (Local s = cell_offset[cell]; s < cell_offset[cell + 1]; ++s, r += width) {
       if (row[s] < 0) {
         if (row[s] < -1)
           rigid.add(-2 - row[s], r, values);
         continue;
       }
       double* out = values + static_cast<std::int64_t>(row[s]) * fields;
-      for (int f = 0; f < fields; ++f)
+      for (int f = 0; f < width; ++f)
         out[f] += r[f];
     }
   }
@@ -104,29 +106,33 @@ struct TangentScatter {
   RigidScatter rigid = {};
 
   /// k: (n*fields, n*fields) of the cell, row by row.
-  KOKKOS_INLINE_FUNCTION void add(Local cell, const double* k) const {
+  KOKKOS_INLINE_FUNCTION void add(Local cell, const double* k) const { add(cell, k, fields); }
+  /// k: (n*width, n*width), of the first fields of each node; the others are not touched.
+  KOKKOS_INLINE_FUNCTION void add(Local cell, const double* k, int width) const {
+    const Local n = cell_offset[cell + 1] - cell_offset[cell];
+    const int stride = n * width;
+    for (Local a = 0; a < n; ++a)
+      for (Local b = 0; b < n; ++b)
+        add_block(cell, a, b, k + static_cast<std::int64_t>(a) * width * stride + b * width, stride,
+                  width);
+  }
+  /// The block (a, b) of the cell's nodes, width x width with rows `stride` apart.
+  KOKKOS_INLINE_FUNCTION void add_block(Local cell, Local a, Local b, const double* k, int stride,
+                                        int width) const {
     const Local first = cell_offset[cell], n = cell_offset[cell + 1] - first;
-    const std::int64_t* position = block_position + block_offset[cell];
-    const int stride = n * fields;
-    for (Local a = 0; a < n; ++a, k += static_cast<std::int64_t>(fields) * stride) {
-      const Local r = row[first + a];
-      if (r == -1)
-        continue;
-      const Local length = r < 0 ? 0 : row_length[r];
-      for (Local b = 0; b < n; ++b) {
-        const std::int64_t p = position[a * n + b];
-        if (p < 0) {
-          if (p < -1)
-            rigid.add(-2 - p, r, row[first + b], k + b * fields, stride, row_length, values);
-          continue;
-        }
-        for (int f = 0; f < fields; ++f) {
-          double* out = values + p + static_cast<std::int64_t>(f) * length;
-          const double* in = k + f * stride + b * fields;
-          for (int g = 0; g < fields; ++g)
-            out[g] += in[g];
-        }
-      }
+    const Local r = row[first + a];
+    if (r == -1)
+      return;
+    const std::int64_t p = block_position[block_offset[cell] + a * n + b];
+    if (p < 0) {
+      if (p < -1)
+        rigid.add(-2 - p, r, row[first + b], k, stride, row_length, values);
+      return;
+    }
+    for (int f = 0; f < width; ++f) {
+      double* out = values + p + static_cast<std::int64_t>(f) * row_length[r];
+      for (int g = 0; g < width; ++g)
+        out[g] += k[f * stride + g];
     }
   }
 };

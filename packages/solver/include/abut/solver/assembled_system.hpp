@@ -27,7 +27,11 @@ public:
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   const double* node_coordinates() const override { return coordinates_.data(); }
   void set_time(double t) override { equations_.set_time(t); }
-  void predictor(const Vector& x, Vector& rhs) override { equations_.predictor(x, rhs); }
+  void begin_solve(SolveKind kind) override { equations_.begin_solve(kind); }
+  void iterate_taken() override { equations_.iterate_taken(); }
+  RCP<const Matrix> predictor(const Vector& x, Vector& rhs) override {
+    return equations_.predictor(x, rhs);
+  }
   void apply_constraints(Vector& x) override { equations_.apply_constraints(x); }
   void accept(const Vector& x) override { equations_.accept(x); }
   void reject() override { equations_.reject(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/contribution.hpp"
 #include "abut/core/trilinos_fwd.hpp"
 
 #include <string>
@@ -45,15 +46,22 @@ public:
   /// empty.
   virtual const double* node_coordinates() const { return nullptr; }
 
+  // --- events of the solution, see Contribution ---
+
+  virtual void begin_solve(SolveKind) {}
+  /// Newton has linearised at the x of the last residual and goes on from there.
+  virtual void iterate_taken() {}
+
   // --- load steps ---
 
-  /// Sets loads and prescribed values to load parameter t.
+  /// A step begins, or another attempt at it: loads and prescribed values are those of load
+  /// parameter t.
   virtual void set_time(double t) = 0;
-  /// Right-hand side of the predictor: tangent(x) dx = rhs moves the free unknowns along with the
+  /// The predictor: K dx = rhs, K being what it returns, moves the free unknowns along with the
   /// prescribed ones from the equilibrium x of the last step to the loads of the present time.
   /// Constrained rows hold (their diagonal) * (prescribed - present value). Load stepping calls
-  /// set_time, predictor(x), tangent(x), apply_constraints, then residual at the predicted x.
-  virtual void predictor(const Vector& x, Vector& rhs) = 0;
+  /// set_time, predictor(x), apply_constraints, then residual at the predicted x.
+  virtual RCP<const Matrix> predictor(const Vector& x, Vector& rhs) = 0;
   /// Overwrites the constrained entries of x by their prescribed values.
   virtual void apply_constraints(Vector& x) = 0;
   virtual void accept(const Vector& x) = 0; ///< the step converged: trial state becomes history

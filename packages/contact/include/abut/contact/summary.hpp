@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/contact/site.hpp"
+#include "abut/core/types.hpp"
+
+#include <array>
+#include <vector>
+
+/// What an interface shows of its present state.
+namespace abut::contact {
+
+/// What one contact interface carries, over all ranks.
+struct ContactSummary {
+  Global active_points = 0, stick_points = 0, slip_points = 0;
+  Global flips = 0;                ///< changes of status in the last step, over all points
+  std::array<double, 3> force{};   ///< on the primary surface [force]
+  double max_pressure = 0.0;       ///< of the nodal pressure; Cauchy [pressure]
+  double max_point_pressure = 0.0; ///< of the points' pressure; Cauchy [pressure]
+  double max_penetration = 0.0;    ///< [length]
+  double max_penetration_over_face_size = 0.0;
+  double min_gap = 0.0, max_gap = 0.0; ///< over points with a partner [length]
+  Global points = 0, paired_points = 0;
+  double area = 0.0;            ///< reference area of active points [length^2]
+  double tangential = 0.0;      ///< integral of the size of the tangential traction [force]
+  double max_slip = 0.0;        ///< longest way slipped since the start [length]
+  double penalty_energy = 0.0;  ///< in the springs of penalty [energy]
+  double dissipation = 0.0;     ///< by friction, since the start [energy]
+  double initial_overlap = 0.0; ///< deepest overlap of the meshes at the start [length]
+};
+
+/// A point that is in contact or touches, once for each direction in which it holds.
+struct ClosedPoint {
+  Local primary_node;    ///< a surface node of its primary face
+  Global secondary_node; ///< a mesh node of its secondary face
+  Vec3 x, normal;        ///< position [length], direction that is held
+};
+
+/// Weighted sums at the nodes of the primary faces of a rank; divide by weight after summing over
+/// ranks. One entry for each surface node of the primary surface.
+struct NodalSums {
+  std::vector<double> weight, pressure, gap, slip;
+  std::vector<double> status;   ///< 0 open, 1 slip, 2 stick (sum of weights)
+  std::vector<double> traction; ///< (nodes, 3)
+};
+
+/// One point as an output file wants it. Where the law holds at nodes the tractions are those of
+/// the nodes, interpolated: what acts at the point belongs to averages and oscillates.
+struct PointRecord {
+  Global face; ///< id of the primary face
+  int point;   ///< on the face
+  Vec3 x;      ///< present position [length]
+  Status status;
+  double gap, slip;       ///< [length]
+  double pressure, shear; ///< Cauchy [pressure]
+  Vec3 traction;          ///< Cauchy [pressure]
+  int flips;
+};
+
+} // namespace abut::contact

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::contact {
+
+namespace {
+
+/// Sums and extremes over the points of one rank.
+struct Tally {
+  enum { force, area = 3, tangential, energy, dissipation, sums };
+  enum { pressure, penetration, relative, gap, slip, overlap, nearness, extremes };
+  enum { points, paired, active, stick, slipping, flips, counts };
+  double sum[sums] = {};
+  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, -1e300};
+  double count[counts] = {};
+
+  void raise(int which, double value) { largest[which] = std::max(largest[which], value); }
+};
+
+/// Twice the energy in the springs of the nodes, per area at a point.
+double node_spring(const InterfaceData& data, Local i) {
+  const NodalArrays& nodes = data.nodal->arrays();
+  const Local face = data.primary().face(i);
+  double sum = 0.0;
+  for (int a = 0; a < nodes.corners(face); ++a) {
+    const NodeState& n = nodes.state(nodes.node(face, a));
+    if (!n.site.active() || !(n.reading.penalty > 0.0))
+      continue;
+    const double normal = n.reading.penalty * n.reading.gap;
+    const double shear = data.settings.augmented() ? 0.0 : dot(n.site.shear, n.site.shear);
+    sum += nodes.field_at(i, a) * (normal * normal + shear) / n.reading.penalty;
+  }
+  return sum;
+}
+
+/// The same of a point that holds the law itself.
+double point_spring(const InterfaceData& data, const PointState& s) {
+  if (!(s.penalty > 0.0))
+    return 0.0;
+  const double normal = s.site.pressure - s.multiplier;
+  const double shear = data.settings.augmented() ? 0.0 : dot(s.site.shear, s.site.shear);
+  return (normal * normal + shear) / s.penalty;
+}
+
+void add_pressed(const InterfaceData& data, Local i, Tally& t) {
+  const PointState& s = data.points.state(i);
+  const double measure = data.measure(i), weight = data.terms.share * measure;
+  t.count[Tally::active] += 1.0;
+  t.count[s.site.status() == Status::stick ? Tally::stick : Tally::slipping] += 1.0;
+  for (int k = 0; k < 3; ++k)
+    t.sum[k] += weight * s.traction[k];
+  t.sum[Tally::area] += data.primary().area(i);
+  t.sum[Tally::tangential] += weight * norm(s.site.shear);
+  t.sum[Tally::energy] +=
+      0.5 * weight * (data.nodal ? node_spring(data, i) : point_spring(data, s));
+  t.raise(Tally::pressure, s.site.pressure * measure / data.primary().current_area(i));
+  const double penetration = -data.points.net_gap(i);
+  t.raise(Tally::penetration, penetration);
+  t.raise(Tally::relative, penetration / data.primary().size(data.primary().face(i)));
+}
+
+Tally tally(const InterfaceData& data) {
+  Tally t;
+  for (Local i = 0; i < data.points.size(); ++i) {
+    const PointState& s = data.points.state(i);
+    const PointHistory& history = data.points.history(i);
+    t.count[Tally::points] += 1.0;
+    t.count[Tally::flips] += data.points.iterate(i).site.flips;
+    t.sum[Tally::dissipation] += history.dissipated;
+    t.raise(Tally::slip, history.path);
+    t.raise(Tally::overlap, history.overlap);
+    if (s.facing < 0)
+      continue;
+    t.count[Tally::paired] += 1.0;
+    t.raise(Tally::nearness, -s.gap);
+    t.raise(Tally::gap, s.gap);
+    if (s.site.pressed())
+      add_pressed(data, i, t);
+  }
+  data.comm.sum(t.sum, Tally::sums);
+  data.comm.sum(t.count, Tally::counts);
+  return t;
+}
+
+double largest_nodal_pressure(const InterfaceData& data) {
+  NodalSums nodes = nodal_sums(data);
+  data.corners.sum(nodes.weight);
+  data.corners.sum(nodes.pressure);
+  double most = 0.0;
+  for (std::size_t n = 0; n < nodes.weight.size(); ++n)
+    if (nodes.weight[n] > 0.0)
+      most = std::max(most, nodes.pressure[n] / nodes.weight[n]);
+  return most;
+}
+
+} // namespace
+
+ContactSummary summarize(const InterfaceData& data) {
+  const Tally t = tally(data);
+  double largest[Tally::extremes + 1];
+  std::copy_n(t.largest, int(Tally::extremes), largest);
+  largest[Tally::extremes] = largest_nodal_pressure(data);
+  data.comm.max(largest, Tally::extremes + 1);
+  ContactSummary s;
+  std::copy_n(t.sum, 3, s.force.begin());
+  s.area = t.sum[Tally::area];
+  s.tangential = t.sum[Tally::tangential];
+  s.penalty_energy = t.sum[Tally::energy];
+  s.dissipation = t.sum[Tally::dissipation];
+  const auto count = [&](int which) { return static_cast<Global>(t.count[which]); };
+  s.points = count(Tally::points);
+  s.paired_points = count(Tally::paired);
+  s.active_points = count(Tally::active);
+  s.stick_points = count(Tally::stick);
+  s.slip_points = count(Tally::slipping);
+  s.flips = count(Tally::flips);
+  s.max_point_pressure = largest[Tally::pressure];
+  s.max_penetration = largest[Tally::penetration];
+  s.max_penetration_over_face_size = largest[Tally::relative];
+  s.max_gap = largest[Tally::gap];
+  s.min_gap = -largest[Tally::nearness];
+  s.max_slip = largest[Tally::slip];
+  s.initial_overlap = largest[Tally::overlap];
+  s.max_pressure = largest[Tally::extremes];
+  return s;
+}
+
+} // namespace abut::contact
