@@ -203,7 +203,7 @@ TEST(EquationSystem, ConstraintsHoldInTheirWindows) {
       constraints.push_back({n, 1, [](double t) { return t; }, {0.0, 1.0}});
       first.push_back(row + 1);
     } else if (z > 1.0 - 1e-12) {
-      constraints.push_back({n, 0, [](double t) { return 0.1 * t; }, {1.0, 0.0}, true});
+      constraints.push_back({n, 0, [](double t) { return 0.1 * t; }, {1.0, {}}, true});
       second.push_back(row);
     }
   }
