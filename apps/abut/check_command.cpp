@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 namespace abut::app {
 
@@ -178,11 +179,23 @@ Global duplicate_faces(const Model& m, const mesh::Surface& s) {
   return m.comm.sum(count);
 }
 
+/// The choices of an interface; a second pass makes those of the first.
+void explain_choices(const Model& m, const contact::Settings& settings, const Printer& print) {
+  for (const contact::ContactOptions& options : m.deck.contact) {
+    if (options.name != settings.name)
+      continue;
+    std::istringstream lines(contact::explain(options, settings));
+    for (std::string line; std::getline(lines, line);)
+      print("  {}", line);
+  }
+}
+
 void explain_contact(const Model& m, const Printer& print) {
   for (const auto& c : m.contacts) {
     const contact::ContactSummary s = c->summary();
     print("contact {}: '{}' on '{}', {} points{}", c->name(), c->settings().primary,
           c->settings().secondary, s.points, explain_window(c->settings().window));
+    explain_choices(m, c->settings(), print);
     if (!c->acts())
       continue;
     if (s.paired_points > 0)

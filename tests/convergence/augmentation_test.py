@@ -58,7 +58,7 @@ class Augmentations(unittest.TestCase):
             with self.subTest(space=space):
                 penalty = self.count("block", multipliers=space)
                 carried = self.count("block", multipliers=space, enforcement="augmented_lagrangian",
-                                     max_augmentations=0)
+                                     uzawa="end_of_step")
                 self.assertEqual(sum(carried.augmentations), 0)
                 self.assertLessEqual(max(carried.newton), 3)
                 self.assertLessEqual(carried.solves - penalty.solves, 2)

@@ -85,7 +85,7 @@ class SameOnAllRanks(unittest.TestCase):
     def test_end_of_step(self):
         for space in ("smoothed", "dual"):
             with self.subTest(space=space):
-                changes = {"multipliers": space, "enforcement": "augmented_lagrangian", "max_augmentations": 0}
+                changes = {"multipliers": space, "enforcement": "augmented_lagrangian", "uzawa": "end_of_step"}
                 one = self.compare(scenes.merged(SLAB, {"contact": {"pair": changes}, "time": {"steps": 3}}),
                                    "upper_bottom")
                 self.assertEqual(one.summary["augmentations"], 0)

@@ -92,7 +92,7 @@ class Sliding(Ledger):
             for friction in (0, 0.3):
                 with self.subTest(space=space, friction=friction):
                     deck = block(friction=friction, enforcement="augmented_lagrangian", multipliers=space,
-                                 penalty_factor=10, max_augmentations=0)
+                                 penalty_factor=10, uzawa="end_of_step")
                     result, _, relative, order = self.run_steps(deck, f"end of step {space} friction {friction}")
                     self.assertEqual(result.summary["augmentations"], 0)
                     self.assertGreater(order, 0.9)

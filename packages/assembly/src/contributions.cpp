@@ -190,13 +190,6 @@ void Contributions::reject() {
     p.contribution->reject();
 }
 
-long Contributions::state_version() const {
-  long sum = 0;
-  for (const Part& p : parts_)
-    sum += p.contribution->state_version();
-  return sum;
-}
-
 bool Contributions::symmetric() const {
   return std::all_of(parts_.begin(), parts_.end(),
                      [](const Part& p) { return p.contribution->symmetric(); });
@@ -206,6 +199,13 @@ double Contributions::round_off_force2() const {
   double sum = 0.0;
   for (const Part& p : parts_)
     sum += p.contribution->round_off_force2();
+  return sum;
+}
+
+long Contributions::state_version() const {
+  long sum = 0;
+  for (const Part& p : parts_)
+    sum += p.contribution->state_version();
   return sum;
 }
 

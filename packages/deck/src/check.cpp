@@ -29,13 +29,6 @@ public:
     for (const auto& pair : deck_.contact) {
       curve("contact." + pair.name, pair.penalty_curve, ".penalty_curve");
       curve("contact." + pair.name, pair.friction_curve, ".friction_curve");
-      if (pair.primary == pair.secondary && pair.two_pass)
-        fail("contact." + pair.name + ".two_pass",
-             "self-contact of '" + pair.primary + "' has points on both sides already");
-      if (pair.tied && pair.tension)
-        fail("contact." + pair.name + ".tension", "tied points pull already");
-      if (pair.sticky && (pair.tied || pair.tension || pair.friction > 0.0))
-        fail("contact." + pair.name + ".sticky", "does not go with tied, tension or friction");
     }
     for (const auto& v : deck_.verify)
       verify(v);

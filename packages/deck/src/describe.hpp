@@ -18,7 +18,7 @@ template <class V> void describe_window(V& v, Window& o, const std::string& begi
   v.optional("from", o.from,
              ("holds in steps that end after this value of the load parameter" + beginning).c_str(),
              at_least(0.0, "1"));
-  v.optional("until", o.until, "and not after this one; 0: to the end", at_least(0.0, "1"));
+  v.number_or("until", o.until, "end", "and not after this one", positive("1"));
   v.check("until", !o.until || *o.until > o.from, "expected more than from");
 }
 
@@ -345,11 +345,19 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"anderson", AugmentationRule::anderson,
              "of the last few solves, so that what they leave cancels best; without friction"}},
            "what the next multipliers are made of");
-  v.optional("penalty_factor", o.penalty_factor,
-             "f in eps = f E_n A / V, when penalty is 0; 0: 10; augmented_lagrangian with dual "
-             "multipliers 30, with smoothed ones 3 or what gap_tolerance asks for between 1 and 10",
-             at_least(0.0, "1"));
-  v.optional("penalty", o.penalty, "eps itself; 0: automatic", at_least(0.0, "pressure/length"));
+  using contact::Uzawa;
+  v.choice(
+      "uzawa", o.uzawa,
+      {{"nested", Uzawa::nested, "after each solve of a step, until the tolerances hold"},
+       {"end_of_step", Uzawa::end_of_step, "once, at the end of each step, without another solve"}},
+      "when multipliers change");
+  v.number_or("penalty_factor", o.penalty_factor, "automatic",
+              "f in eps = f E_n A / V, without penalty; automatic: 10; augmented_lagrangian with "
+              "dual multipliers 30, with smoothed ones 3 or what gap_tolerance asks for between 1 "
+              "and 10",
+              positive("1"));
+  v.number_or("penalty", o.penalty, "automatic", "eps itself; automatic: by penalty_factor",
+              positive("pressure/length"));
   v.optional("penalty_curve", o.penalty_curve, "factor on the penalty over the load parameter");
   v.optional("update_penalty", o.update_penalty,
              "take A of the automatic penalty from the last converged step");
@@ -386,9 +394,8 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   v.optional("sticky", o.sticky, "points that overlap are tied from the end of the step on");
   v.optional("stick_within", o.stick_within, "gap up to which sticky points get hold too",
              at_least(0.0, "length"));
-  v.optional("stick_strength", o.stick_strength,
-             "tension along the normal beyond which sticky points come off; 0: never",
-             at_least(0.0, "pressure"));
+  v.number_or("stick_strength", o.stick_strength, "unlimited",
+              "tension along the normal beyond which sticky points come off", positive("pressure"));
   v.optional("offset", o.offset, "gap that counts as closed", unit("length"));
   using contact::InitialOverlap;
   v.choice("initial_overlap", o.initial_overlap,
@@ -403,32 +410,32 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
             {"symmetric", Tangent::symmetric, "symmetric part, for a symmetric solver"}},
            "derivative of the contact forces");
   describe_window(v, o.window, "; its first partners are those of the step before");
-  v.optional("points", o.points,
-             "integration points per direction; 0: 2 on linear faces, 3 on quadratic ones",
-             Rule{0.0, 6.0, false, "1", ""});
+  v.number_or("points", o.points, "automatic",
+              "integration points per direction; automatic: 2 on linear faces, 3 on quadratic ones",
+              Rule{1.0, 6.0, false, "1", ""});
   v.optional("reach", o.reach, "how far a partner is sought, in sizes of the larger face",
              positive("1"));
   v.optional("projection_margin", o.projection_margin,
              "how far outside a face a projection still counts, in face coordinates",
              at_least(0.0, "1"));
-  v.optional("segment_updates", o.segment_updates,
-             "searches in a solve after which partners stay; 0: no limit", at_least(0.0, "1"));
-  v.optional("multiplier_tolerance", o.multiplier_tolerance,
-             "augmentation stops at this relative change of the multipliers; 0: at 1e-2, not asked "
-             "of dual ones",
-             at_least(0.0, "1"));
-  v.optional("gap_tolerance", o.gap_tolerance,
-             "augmentation also asks for this largest penetration, in face sizes; 0: it does not, "
-             "but for 1e-3 of dual multipliers without another tolerance",
-             at_least(0.0, "1"));
-  v.optional("gap_limit", o.gap_limit,
-             "augmentation also asks for this largest penetration; 0: it does not",
-             at_least(0.0, "length"));
+  v.number_or("segment_updates", o.segment_updates, "unlimited",
+              "searches in a solve after which partners stay", at_least(1.0, "1"));
+  v.number_or("multiplier_tolerance", o.multiplier_tolerance, "automatic",
+              "augmentation stops at this relative change of the multipliers; automatic: 1e-2, not "
+              "asked of dual ones",
+              positive("1"));
+  v.number_or("gap_tolerance", o.gap_tolerance, "automatic",
+              "augmentation also asks for this largest penetration, in face sizes; automatic: not "
+              "asked, but 1e-3 of dual multipliers without another tolerance",
+              positive("1"));
+  v.number_or("gap_limit", o.gap_limit, "none",
+              "augmentation also asks for this largest penetration", positive("length"));
   v.optional("min_augmentations", o.min_augmentations, "at least so many, each step",
              at_least(0.0, "1"));
-  v.optional("max_augmentations", o.max_augmentations,
-             "at most so many, each step; 0: multipliers change once, at the end of the step",
-             at_least(0.0, "1"));
+  v.optional("max_augmentations", o.max_augmentations, "at most so many, each step",
+             Rule{1.0, Rule::infinity, false, "1",
+                  "for multipliers that change once, at the end of each step, write 'uzawa: "
+                  "end_of_step'"});
   v.check("min_augmentations", o.min_augmentations <= o.max_augmentations,
           "more than max_augmentations, which is " + std::to_string(o.max_augmentations));
 }
@@ -462,10 +469,10 @@ template <class V> void describe(V& v, solver::DynamicsOptions& o) {
 template <class V> void describe(V& v, solver::NewtonOptions& o) {
   using solver::LineSearch;
   v.optional("tolerance", o.tolerance, "residual over reference force", positive("1"));
-  v.optional("displacement_tolerance", o.displacement_tolerance,
-             "a solve also ends when the last correction is at most this share of the step's "
-             "increment, and its energy within energy_tolerance; 0: it does not",
-             at_least(0.0, "1"));
+  v.number_or("displacement_tolerance", o.displacement_tolerance, "none",
+              "a solve also ends when the last correction is at most this share of the step's "
+              "increment, and its energy within energy_tolerance",
+              positive("1"));
   v.optional("energy_tolerance", o.energy_tolerance,
              "with displacement_tolerance: the work left over the largest of the step",
              positive("1"));

@@ -38,6 +38,13 @@ public:
   void optional(const char* key, const std::optional<T>&, const char* doc, const Rule& rule = {}) {
     add_value(key, type_of(static_cast<const T*>(nullptr)), doc, rule);
   }
+  template <class T>
+  void number_or(const char* key, const std::optional<T>& x, const char* word, const char* doc,
+                 const Rule& rule) {
+    optional(key, x, doc, rule);
+    map_.fields.back().word = word;
+    map_.fields.back().initial = x ? printed(*x) : word;
+  }
 
   template <class E>
   void choice(const char* key, const E& x, std::initializer_list<Choice<E>> choices,

@@ -169,6 +169,15 @@ void Filler::at_least_one(std::initializer_list<const char*> keys) {
                      joined({keys.begin(), keys.end()}, ", "));
 }
 
+void Filler::refuse_zero(const Value& value, const std::string& path, const std::string& key,
+                         const std::string& word, const Rule& rule) {
+  double number = 0.0;
+  if (value.kind == Value::Kind::scalar && !value.quoted && parse_number(value.text, number) &&
+      number == 0.0 && !rule.accepts(0.0))
+    fail(value.where, path,
+         "0 no longer means " + word + ": write '" + key + ": " + word + "' or leave the key out");
+}
+
 void Filler::finish() const {
   std::vector<std::string> valid = known_;
   for (const std::string& key : one_of_)

@@ -41,6 +41,20 @@ public:
       read(*value, path_of(key), x.emplace(), rule);
   }
 
+  /// A number, or `word` for none. The number 0, where it is out of range, is told of the word.
+  template <class T>
+  void number_or(const char* key, std::optional<T>& x, const char* word, const char*,
+                 const Rule& rule) {
+    const Value* value = take(key);
+    if (!value)
+      return;
+    x.reset();
+    if (!is_word(*value, word)) {
+      refuse_zero(*value, path_of(key), key, word, rule);
+      read(*value, path_of(key), x.emplace(), rule);
+    }
+  }
+
   template <class E>
   void choice(const char* key, E& x, std::initializer_list<Choice<E>> choices, const char*) {
     const Value* value = take(key);
@@ -141,6 +155,11 @@ private:
   std::string path_of(const std::string& key) const;
   std::string named(const Value::Entry& entry, const std::string& path);
   const Value& as_map(const Value& value, const std::string& path, const char* expected) const;
+  static bool is_word(const Value& value, const char* word) {
+    return value.kind == Value::Kind::scalar && value.text == word;
+  }
+  static void refuse_zero(const Value& value, const std::string& path, const std::string& key,
+                          const std::string& word, const Rule& rule);
   std::size_t word_index(const Value& value, const std::string& path,
                          const std::vector<std::string>& words) const;
 

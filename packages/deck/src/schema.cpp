@@ -26,6 +26,8 @@ std::string type_text(const Field& field) {
     s += " " + field.range;
   if (!field.unit.empty() && field.unit != "1")
     s += " [" + field.unit + "]";
+  if (!field.word.empty())
+    s += " or " + field.word;
   return s;
 }
 
@@ -185,6 +187,8 @@ Json json_field(const Field& field) {
   case Field::Kind::value:
     json = json_scalar(field.type);
     json_range(field.range, json);
+    if (!field.word.empty())
+      json = {{"anyOf", Json::array({json, {{"const", field.word}}})}};
     break;
   case Field::Kind::group:
     json = json_map(field);
@@ -214,7 +218,9 @@ Json json_field(const Field& field) {
     (field.type == "word" ? json : json["items"])["enum"] = words;
   }
   if (!field.initial.empty())
-    json["default"] = field.type == "word" ? Json(field.initial) : Json::parse(field.initial);
+    json["default"] = field.type == "word" || field.initial == field.word
+                          ? Json(field.initial)
+                          : Json::parse(field.initial);
   const bool has_unit = !field.unit.empty() && field.unit != "1";
   json["description"] = field.doc + (has_unit ? " [" + field.unit + "]" : "");
   return json;

@@ -37,6 +37,11 @@ public:
     if (x)
       line(key, printed(*x));
   }
+  template <class T>
+  void number_or(const char* key, const std::optional<T>& x, const char* word, const char*,
+                 const Rule&) {
+    line(key, x ? printed(*x) : word);
+  }
 
   template <class E>
   void choice(const char* key, const E& x, std::initializer_list<Choice<E>> choices, const char*) {

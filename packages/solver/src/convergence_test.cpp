@@ -76,7 +76,7 @@ void ConvergenceTest::record(const NOX::Solver::Generic& solver) {
 }
 
 void ConvergenceTest::measure_correction(const NOX::Solver::Generic& solver) {
-  if (options_.displacement_tolerance <= 0.0 || residuals_.size() < 2)
+  if (!options_.displacement_tolerance || residuals_.size() < 2)
     return;
   const auto values = [](const NOX::Abstract::Vector& v) {
     return tpetra_vector(dynamic_cast<const NOX::Thyra::Vector&>(v).getThyraRCPVector());
@@ -93,8 +93,8 @@ void ConvergenceTest::measure_correction(const NOX::Solver::Generic& solver) {
 }
 
 bool ConvergenceTest::small_correction() const {
-  return options_.displacement_tolerance > 0.0 && residuals_.size() > 1 &&
-         correction_ <= options_.displacement_tolerance * increment_ &&
+  return options_.displacement_tolerance && residuals_.size() > 1 &&
+         correction_ <= *options_.displacement_tolerance * increment_ &&
          work_left_ <= options_.energy_tolerance * largest_work_;
 }
 

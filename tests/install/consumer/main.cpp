@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A host code with meshes, equations and solver of its own takes the contact component alone: a
-// unit square held 0.01 inside another, penalty 100, so pressure 1, force 1 and stiffness 100.
+// unit square held 0.01 inside another, penalty 100, so pressure 1, force 1 and stiffness 100; and
+// the plate of plate_on_springs.hpp, solved.
 #include "abut/contact/interaction.hpp"
+#include "plate_on_springs.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <cmath>
 #include <cstdio>
 
 namespace {
-
-/// A unit square at height z, on rank `owner` only; its normal is +z or -z.
-abut::mesh::Surface square(const abut::Comm& comm, int owner, double z, bool up,
-                           abut::Global node) {
-  abut::mesh::Surface s;
-  s.name = up ? "lower" : "upper";
-  if (comm.rank() != owner)
-    return s;
-  s.type = {abut::fem::FaceType::quad4};
-  s.face_id = {up ? 1 : 0};
-  s.offset = {0, 4};
-  s.nodes = up ? std::vector<abut::Local>{0, 1, 2, 3} : std::vector<abut::Local>{3, 2, 1, 0};
-  s.node = {node, node + 1, node + 2, node + 3};
-  s.field_index = {0, 1, 2, 3};
-  s.x = {0, 0, z, 1, 0, z, 1, 1, z, 0, 1, z};
-  s.modulus = s.inverse_depth = {0.0};
-  return s;
-}
 
 bool close(double value, double expected) {
   return std::fabs(value - expected) < 1e-10;
@@ -36,8 +20,8 @@ bool contact_is_right(const abut::Comm& comm) {
   options.name = "press";
   options.penalty = 100.0;
   abut::PhaseTimers timers;
-  abut::contact::Interaction contact(comm, square(comm, 0, -0.01, false, 0),
-                                     square(comm, comm.size() - 1, 0.0, true, 4), options, timers);
+  abut::contact::Interaction contact(comm, host::square(comm, 0, -0.01, false, 0),
+                                     host::square(comm, comm.size() - 1, 0.0, true, 4), options, timers);
   const std::vector<double> displacement(4 * 3, 0.0);
   const abut::NodalFields fields{displacement.data(), 3, 0.0};
   contact.prepare(fields);
@@ -82,7 +66,11 @@ int main(int argc, char** argv) {
   {
     const Kokkos::ScopeGuard kokkos(argc, argv);
     const abut::Comm comm(MPI_COMM_WORLD);
-    right = !comm.any(!contact_is_right(comm));
+    const host::Answer plate = host::press_and_shear(comm);
+    const bool plate_is_right = close(plate.shift, 0.01) && close(plate.pressing, 20.0) &&
+                                close(plate.shearing, 6.0) && plate.interfaces == 2 &&
+                                plate.augmentations > 0 && plate.slipping > 0;
+    right = !comm.any(!contact_is_right(comm)) && plate_is_right;
     if (comm.is_root())
       std::puts(right ? "consumer: all right" : "consumer: wrong contact values");
   }

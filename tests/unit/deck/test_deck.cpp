@@ -70,6 +70,28 @@ TEST(Deck, KeepsTheStructsDefaults) {
   EXPECT_TRUE(d.newton.nox.empty());
 }
 
+TEST(Deck, AWordStandsForANumberThatIsNotGiven) {
+  const std::string before = "mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
+                             "bodies: {b: {blocks: [1], material: m}}\n"
+                             "newton: {displacement_tolerance: ";
+  const Deck none = parse_deck(
+      before + "none}\ncontact: {c: {primary: p, secondary: s, penalty: automatic, points: "
+               "automatic, until: end, segment_updates: unlimited, stick_strength: unlimited, "
+               "gap_limit: none, gap_tolerance: automatic, uzawa: end_of_step}}\n",
+      "a.yaml");
+  const contact::ContactOptions& o = none.contact[0];
+  EXPECT_FALSE(o.penalty || o.points || o.window.until || o.segment_updates || o.stick_strength ||
+               o.gap_limit || o.gap_tolerance || none.newton.displacement_tolerance);
+  EXPECT_EQ(o.uzawa, contact::Uzawa::end_of_step);
+  EXPECT_THAT(to_yaml(none), testing::HasSubstr("penalty: automatic\n"));
+  EXPECT_EQ(to_yaml(parse_deck(to_yaml(none), "a.yaml")), to_yaml(none));
+  const Deck given = parse_deck(
+      before + "0.1}\ncontact: {c: {primary: p, secondary: s, penalty: 3, points: 4}}\n", "a.yaml");
+  EXPECT_EQ(given.contact[0].penalty, 3.0);
+  EXPECT_EQ(given.contact[0].points, 4);
+  EXPECT_EQ(given.newton.displacement_tolerance, 0.1);
+}
+
 TEST(Deck, AbsentComponentIsFree) {
   const Deck d = parse_deck("mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
                             "bodies: {b: {blocks: [1], material: m}}\n"

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
-             "augmentation, "
+             "augmentation, uzawa, "
              "penalty_factor, penalty, penalty_curve, update_penalty, friction, friction_curve, "
              "friction_map, friction_switching, two_pass, tension, tied, tie_distance, tie_gap, "
              "sticky, "
@@ -188,16 +188,24 @@ INSTANTIATE_TEST_SUITE_P(
              "d.yaml:4: bodies: the motion of all bodies is prescribed; expected one with a "
              "material, or a rigid one with components that are 'free'"},
         Case{5, "", "d.yaml:4: bodies: expected at least one, got nothing"},
-        Case{9, "    secondary: top\n    two_pass: true",
-             "d.yaml:10: contact.pair.two_pass: self-contact of 'top' has points on both sides "
-             "already"},
+        Case{10, "    penalty: 0",
+             "d.yaml:10: contact.pair.penalty: 0 no longer means automatic: write 'penalty: "
+             "automatic' or leave the key out"},
+        Case{10, "    stick_strength: 0",
+             "d.yaml:10: contact.pair.stick_strength: 0 no longer means unlimited: write "
+             "'stick_strength: unlimited' or leave the key out"},
+        Case{10, "    until: 0",
+             "d.yaml:10: contact.pair.until: 0 no longer means end: write 'until: end' or leave "
+             "the key out"},
+        Case{10, "    max_augmentations: 0",
+             "d.yaml:10: contact.pair.max_augmentations: expected a whole number >= 1, got '0' "
+             "(for multipliers that change once, at the end of each step, write 'uzawa: "
+             "end_of_step')"},
         Case{9, "    secondary: bottom\n    friction: 0.3\n    friction_curve: c",
              "d.yaml:11: contact.pair.friction_curve: 'c' is not a name under curves; none is "
              "defined"},
         Case{12, "loads: {l: {force: [1, 2, 3], node_set: s, curve: c}}",
              "d.yaml:12: loads.l.curve: 'c' is not a name under curves; none is defined"},
-        Case{10, "    sticky: true\n    friction: 0.1",
-             "d.yaml:10: contact.pair.sticky: does not go with tied, tension or friction"},
         Case{12, "displacements: {d: {set: s, x: 1, curve: c}}",
              "d.yaml:12: displacements.d.curve: 'c' is not a name under curves; none is defined"},
         Case{12, "verify: {v: {quantity: force_z, place: par, expected: 1, tolerance: 0}}",

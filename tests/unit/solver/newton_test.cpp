@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <limits>
+#include <optional>
 
 namespace abut {
 namespace {
@@ -108,7 +109,7 @@ TEST(Newton, StopsAtTheToleranceTimesTheReference) {
 TEST(Newton, EndsAtASmallCorrection) {
   auto system = two_unknowns();
   const auto linear = solver::make_linear_solver({}, system);
-  const auto iterates = [&](double tolerance, double energy, bool from_step) {
+  const auto iterates = [&](std::optional<double> tolerance, double energy, bool from_step) {
     NewtonOptions options;
     options.tolerance = 1e-13;
     options.displacement_tolerance = tolerance;
@@ -121,7 +122,7 @@ TEST(Newton, EndsAtASmallCorrection) {
     EXPECT_TRUE(result.converged);
     return std::pair(result, system.gather(x));
   };
-  const auto [full, root] = iterates(0.0, 1e-2, false);
+  const auto [full, root] = iterates(std::nullopt, 1e-2, false);
   const auto [loose, x] = iterates(1e-2, 1e-2, false);
   EXPECT_LT(loose.iterations, full.iterations);
   EXPECT_GT(loose.residual, full.residual);

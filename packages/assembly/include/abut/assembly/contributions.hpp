@@ -53,9 +53,9 @@ public:
   void reject();
 
   // Not collective; of this rank where it says so.
-  long state_version() const; ///< grows with every change of a contribution's state; of this rank
   bool symmetric() const;
   double round_off_force2() const; ///< see Contribution; of this rank
+  long state_version() const;      ///< of all; grows with every change; of this rank
   int unsettled() const;           ///< how many; of this rank
 
 private:

@@ -49,8 +49,7 @@ enum class Tangent {
 
 /// Where the multipliers of augmented Lagrangian live. docs/theory/multipliers.md
 enum class Multipliers {
-  automatic, ///< dual, or smoothed where a dual law does not go: goes_dual,
-             ///< SideComparison::suits_dual
+  automatic, ///< dual, or smoothed where a dual law does not go: resolve
   per_point, ///< one at each integration point: the theory; its pressures oscillate
   smoothed,  ///< at the corner nodes, read by the points: law and tangent of the theory
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
@@ -89,10 +88,10 @@ struct ContactOptions {
   AugmentationRule augmentation = AugmentationRule::automatic;
   Uzawa uzawa = Uzawa::nested;
 
-  std::optional<double> penalty_factor; ///< f in eps = f E_n A / V, when penalty is 0; 0: chosen [1]
-  std::optional<double> penalty;        ///< eps itself, 0 means automatic [pressure/length]
-  std::string penalty_curve;   ///< factor on the penalty over t
-  bool update_penalty = false; ///< A of the automatic penalty is the area of the last step
+  std::optional<double> penalty_factor; ///< f in eps = f E_n A / V; none: by the multipliers [1]
+  std::optional<double> penalty;        ///< eps itself; none: by penalty_factor [pressure/length]
+  std::string penalty_curve;            ///< factor on the penalty over t
+  bool update_penalty = false;          ///< A of the automatic penalty is the area of the last step
 
   double friction = 0.0;      ///< coefficient mu [1]
   std::string friction_curve; ///< factor on mu over t
@@ -103,29 +102,27 @@ struct ContactOptions {
   bool tension = false;  ///< a point that is in contact may pull
   bool tied = false;     ///< points close to their partner at the start stay there
   TieGap tie_gap = TieGap::keep;
-  double tie_distance = 0.1;   ///< what is close, in face sizes [1]
-  bool sticky = false;         ///< points that touch or overlap are tied from then on
-  double stick_within = 0.0;   ///< gap up to which a sticky point touches [length]
-  std::optional<double> stick_strength; ///< normal tension that a sticky point stands; 0: any [pressure]
+  double tie_distance = 0.1;            ///< what is close, in face sizes [1]
+  bool sticky = false;                  ///< points that touch or overlap are tied from then on
+  double stick_within = 0.0;            ///< gap up to which a sticky point touches [length]
+  std::optional<double> stick_strength; ///< normal tension that it stands; none: any [pressure]
   double offset = 0.0; ///< gap that counts as closed, e.g. a shell's half thickness [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
 
-  std::optional<int> points; ///< integration points per direction; 0: 2 on linear faces, 3 on quadratic
+  std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
 
   double reach = 3.0;              ///< how far a partner is sought, in sizes of the larger face [1]
   double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
-  std::optional<int> segment_updates;         ///< searches in a solve after which partners stay; 0: no limit
+  std::optional<int> segment_updates; ///< searches in a solve after which partners stay; none: all
 
-  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum. With a
-  // maximum of zero multipliers change once, at the end of each step.
-  std::optional<double> multiplier_tolerance; ///< relative change of the multipliers; 0: 1e-2, not asked
-                                     ///< of dual ones [1]
-  std::optional<double> gap_tolerance; ///< largest penetration in face sizes; 0: not asked, but 1e-3 of dual
-                              ///< multipliers where no tolerance is given [1]
-  std::optional<double> gap_limit;     ///< largest penetration; 0: not asked [length]
+  // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum.
+  std::optional<double> multiplier_tolerance; ///< relative change of the multipliers; none: 1e-2,
+                                              ///< not asked of dual ones [1]
+  std::optional<double> gap_tolerance; ///< largest penetration in face sizes; none: not asked, but
+                                       ///< 1e-3 of dual multipliers without a tolerance [1]
+  std::optional<double> gap_limit;     ///< largest penetration; none: not asked [length]
   int min_augmentations = 0;
-  int max_augmentations = 20;
-
+  int max_augmentations = 20; ///< at least 1
 };
 
 } // namespace abut::contact

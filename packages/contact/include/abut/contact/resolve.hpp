@@ -19,6 +19,7 @@ enum class PenaltySource {
 /// "not asked" a value that is never reached. Read by kernels as it is, printed by `abut check`.
 struct Settings {
   std::string name, primary, secondary;
+  SideComparison sides; ///< in the order of primary and secondary here
   Window window;
   Formulation formulation = Formulation::facet_on_facet;
   Enforcement enforcement = Enforcement::penalty;
@@ -28,10 +29,10 @@ struct Settings {
   bool anderson = false; ///< the next multipliers are made of several solves
 
   PenaltySource penalty_source = PenaltySource::factor;
-  double penalty = 0.0;              ///< eps, when given [pressure/length]
-  double penalty_factor = 0.0;       ///< f, when by factor [1]
-  bool factor_by_pressure = false;   ///< f is chosen again after the first step in contact
-  double modulus = 0.0;              ///< E_n of the softer body; 0: both are rigid [pressure]
+  double penalty = 0.0;            ///< eps, when given [pressure/length]
+  double penalty_factor = 0.0;     ///< f, when by factor [1]
+  bool factor_by_pressure = false; ///< f is chosen again after the first step in contact
+  double modulus = 0.0;            ///< E_n of the softer body; 0: both are rigid [pressure]
   bool update_penalty = false;
 
   double friction = 0.0;

@@ -21,6 +21,7 @@ struct Field {
   std::string type;    ///< number, whole number, number or expression, text, ...
   std::string initial; ///< default as text, empty: none
   std::string range;   ///< "> 0", empty: any
+  std::string word;    ///< that stands in place of a number, empty: none
   std::string unit;
   std::string doc;
   bool required = false;

@@ -28,10 +28,10 @@ struct LinearOptions {
 
 struct NewtonOptions {
   double tolerance = 1e-8; ///< residual over reference force [1]
-  /// > 0: a solve also ends where the last correction is at most this share of the step's whole
-  /// increment (2-norms over all unknowns) and the work |dx . f| left of it at most
+  /// When given, a solve also ends where the last correction is at most this share of the step's
+  /// whole increment (2-norms over all unknowns) and the work |dx . f| left of it at most
   /// `energy_tolerance` times the largest of the step. [1]
-  double displacement_tolerance = 0.0;
+  std::optional<double> displacement_tolerance;
   double energy_tolerance = 1e-2; ///< see displacement_tolerance [1]
   int max_iterations = 25;
   LineSearch line_search = LineSearch::automatic;
