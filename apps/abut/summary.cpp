@@ -35,8 +35,7 @@ Json contact_json(const Model& m, const scene::State& s) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
     const contact::ContactSummary& c = s.contacts[i];
-    const bool augmented =
-        m.contacts[i]->settings().augmented();
+    const bool augmented = m.contacts[i]->settings().augmented();
     all[m.contacts[i]->name()] = {
         {"formulation", formulation_name(m.contacts[i]->settings().formulation)},
         {"enforcement", augmented ? "augmented_lagrangian" : "penalty"},

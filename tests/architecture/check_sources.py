@@ -92,8 +92,9 @@ def include_errors(root, path, package, text):
                 if error:
                     yield f"{where}: {error}"
         elif match.group(1) == '"':
-            if ".." in header or not (path.parent / header).is_file():
-                yield f'{where}: "{header}" is neither abut/... nor beside this file'
+            if ".." in header or not any((folder / header).is_file() for folder in (
+                    path.parent, root / "packages" / str(package) / "src")):
+                yield f'{where}: "{header}" is neither abut/... nor beside this file nor below src/'
 
 
 def link_errors(root, package):

@@ -84,6 +84,10 @@ class CheckSources(unittest.TestCase):
         self.source("core", '#include "secret.hpp"\n')
         self.write("packages/core/src/secret.hpp", HEADER)
         self.assertEqual(self.errors(), [])
+        self.source("core", '#include "room/secret.hpp"\n')
+        self.assert_one("nor below src/")
+        self.write("packages/core/src/room/secret.hpp", HEADER)
+        self.assertEqual(self.errors(), [])
 
     def test_linked_edge(self):
         self.write("packages/contact/CMakeLists.txt",

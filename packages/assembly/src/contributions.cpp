@@ -10,9 +10,16 @@ namespace abut::assembly {
 namespace {
 
 Force kind(const Contribution& contribution) {
-  return contribution.inertial()         ? Force::inertial
-         : contribution.internal_force() ? Force::internal
-                                         : Force::other;
+  switch (contribution.role()) {
+  case Role::internal:
+    return Force::internal;
+  case Role::inertia:
+    return Force::inertial;
+  case Role::external:
+  case Role::contact:
+    break;
+  }
+  return Force::other;
 }
 
 } // namespace
@@ -72,7 +79,7 @@ ResidualScatter Contributions::residual_scatter(const Part& p, rigid::Bodies& bo
   scatter.row = p.positions.row.data();
   scatter.values = values;
   scatter.rigid = bodies.scatter(p.positions);
-  if (p.contribution->inertial())
+  if (p.contribution->role() == Role::inertia)
     scatter.rigid.force = bodies.inertial_forces();
   return scatter;
 }
@@ -102,7 +109,7 @@ std::vector<double> Contributions::loads(const NodalFields& fields, rigid::Bodie
   std::vector<double> unused(12 * bodies.size(), 0.0);
   dofs_.mesh().comm.together([&] {
     for (Part& p : parts_) {
-      if (kind(*p.contribution) != Force::other || p.contribution->phase() == Phase::contact)
+      if (p.contribution->role() != Role::external)
         continue;
       ResidualScatter scatter = residual_scatter(p, bodies, buffer.data());
       scatter.rigid.force = unused.data();
@@ -141,7 +148,9 @@ void Contributions::add_tangent(const Part& p, const NodalFields& fields, rigid:
 
 void Contributions::add_tangents(bool inertial, const NodalFields& fields, rigid::Bodies& bodies,
                                  double* values) {
-  const auto wanted = [&](const Part& p) { return p.contribution->inertial() == inertial; };
+  const auto wanted = [&](const Part& p) {
+    return (p.contribution->role() == Role::inertia) == inertial;
+  };
   if (std::none_of(parts_.begin(), parts_.end(), wanted))
     return;
   dofs_.mesh().comm.together([&] {

@@ -93,8 +93,8 @@ void EquationSystem::prepare(const Vector& x) {
   std::vector<double> u = nodal_values(x);
   std::vector<rigid::Placement> placements = bodies_.place(x, time_);
   std::vector<double> multipliers = joints_.multipliers(x);
-  const bool same = prepared_ && contributions_.state_version() == state_version_ &&
-                    u.size() == u_.size() &&
+  const long state = contributions_.state_version();
+  const bool same = prepared_ && state == state_version_ && u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
                     bodies_.stands_at(placements) && joints_.stands_at(multipliers);
   if (!comm.any(!same))
@@ -107,7 +107,7 @@ void EquationSystem::prepare(const Vector& x) {
   if (comm.any(!u.empty() && !std::isfinite(u[0])))
     throw SolveError("an unknown is not a finite number");
   u_ = std::move(u);
-  state_version_ = contributions_.state_version();
+  state_version_ = state;
   prepared_ = false;
   forces_known_ = false;
   bodies_.move(std::move(placements));

@@ -10,23 +10,24 @@ namespace abut::assembly {
 
 namespace {
 constexpr double round_off = 1e-14; ///< some 50 units in the last place of the unknowns
-} // namespace
 
 /// Joints balance loads as internal forces do, but may also oppose those: their size counts by
 /// itself. Returns the squared norm of this rank's.
-double EquationSystem::add_joint_forces(std::vector<double>& residual) {
-  if (joints_.empty())
+double add_joint_forces(const rigid::Joints& joints, std::vector<double>& residual) {
+  if (joints.empty())
     return 0.0;
   std::vector<double> forces(residual.size(), 0.0);
-  joints_.add_forces(forces.data());
+  joints.add_forces(forces.data());
   double sum = 0.0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
     sum += forces[i] * forces[i];
     residual[i] += forces[i];
   }
-  joints_.add_equations(residual.data());
+  joints.add_equations(residual.data());
   return sum;
 }
+
+} // namespace
 
 void EquationSystem::residual(const Vector& x, Vector& f) {
   prepare(x);
@@ -55,7 +56,7 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
       sum[i] += buffer[i];
     }
   }
-  norms[3] = add_joint_forces(raw_residual_);
+  norms[3] = add_joint_forces(joints_, raw_residual_);
   bodies_.sum_forces();
   forces_known_ = true;
   size_ = measure(x, norms);

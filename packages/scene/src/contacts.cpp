@@ -38,7 +38,6 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
               const solid::BlockMaterials& materials,
               const std::vector<assembly::Constraint>& constraints, PhaseTimers& timers,
               const Where& where, std::vector<std::string>& warnings) {
-  std::vector<std::shared_ptr<contact::Interaction>> result;
   const auto surface = [&](const std::string& name) { return make_surface(mesh, name, materials); };
   contact::HostFacts host;
   host.curve = [&](const std::string& name) { return curve_named(options.curves, name); };
@@ -46,6 +45,7 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
   host.prescribed = [&](const mesh::Surface& s) {
     return prescribed_directions(mesh, constraints, s);
   };
+  std::vector<std::shared_ptr<contact::Interaction>> result;
   for (const contact::ContactOptions& given : options.contact) {
     try {
       const contact::Passes passes = contact::make_passes(

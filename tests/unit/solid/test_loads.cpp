@@ -64,7 +64,7 @@ TEST(Loads, TractionResultantIsForceTimesReferenceArea) {
                                                                                      : "side3";
     LoadContribution c(mesh, load(LoadKind::traction, place), [](double t) { return 10.0 * t; });
     EXPECT_TRUE(c.symmetric());
-    EXPECT_FALSE(c.internal_force());
+    EXPECT_EQ(c.role(), Role::external);
     abut_test::DenseSystem system(mesh.num_local(), 3);
     system.u = test::random_vector(system.u.size(), 0.3, engine); // dead: must not matter
     system.evaluate(c, true, 0.5);

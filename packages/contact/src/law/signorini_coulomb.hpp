@@ -11,7 +11,7 @@ namespace abut::contact {
 /// What the law reads beside the site.
 struct LawTerms {
   double friction = 0.0; ///< mu at the present time [1]
-  bool predicting = false; ///< see NodalFields::prediction
+  bool predicting = false; ///< see SolveKind::prediction
   bool literal = false;    ///< slip by the printed theory: the shear is not decided here
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/core/comm.hpp"
+#include "abut/core/node_exchange.hpp"
 #include "abut/mesh/surface.hpp"
 
 #include <vector>
@@ -15,7 +15,8 @@ namespace abut::contact {
 class CornerSpace {
 public:
   /// surface must outlive the space. Collective.
-  CornerSpace(const Comm& comm, const mesh::Surface& surface);
+  CornerSpace(const Comm& comm, const mesh::Surface& surface)
+      : surface_(surface), shared_(comm, surface.node) {}
 
   Local nodes() const { return surface_.num_nodes(); }
   int corners(Local face) const { return fem::face_corners(surface_.type[face]); }
@@ -28,25 +29,16 @@ public:
                      int component = 0, int components = 1) const;
 
   /// Lowest rank that has the surface node, and whether there are others.
-  int owner(Local node) const { return owner_[node]; }
-  bool is_shared(Local node) const { return is_shared_[node] != 0; }
+  int owner(Local node) const { return shared_.owner(node); }
+  bool is_shared(Local node) const { return shared_.is_shared(node); }
   /// Adds up what each rank has for a node that several ranks share: data (surface nodes,
   /// components). Every rank gets the same digits. Collective.
-  void sum(double* data, int components = 1) const;
+  void sum(double* data, int components = 1) const { shared_.sum(data, components); }
   void sum(std::vector<double>& data, int components = 1) const { sum(data.data(), components); }
 
 private:
-  struct Neighbour {
-    int rank;
-    std::vector<Local> nodes; ///< shared with that rank, ascending by their global number
-  };
-
-  Comm comm_;
   const mesh::Surface& surface_;
-  std::vector<Neighbour> neighbours_; ///< ascending by rank, this one among them when it shares
-  std::vector<Local> shared_;         ///< nodes that other ranks have too
-  std::vector<char> is_shared_;       ///< (surface nodes)
-  std::vector<int> owner_;            ///< (surface nodes)
+  SharedNodes shared_;
 };
 
 } // namespace abut::contact

@@ -10,6 +10,7 @@
 
 namespace abut::assembly {
 
+/// Kinds of forces whose sizes count by themselves: loads and contact are one.
 enum class Force { internal, other, inertial };
 
 /// All contributions, the pattern of their cells, and where each cell goes in it. Sums are of the
@@ -32,8 +33,7 @@ public:
 
   /// (owned and shared scalar rows) what all of one kind exert.
   std::vector<double> residual(Force which, const NodalFields& fields, rigid::Bodies& bodies);
-  /// (owned scalar rows) what is neither an internal force nor contact; sums of forces on bodies
-  /// stay those of the last residual.
+  /// (owned scalar rows) external forces; sums of forces on bodies stay those of the last residual.
   std::vector<double> loads(const NodalFields& fields, rigid::Bodies& bodies);
   /// (owned scalar rows) of one part.
   std::vector<double> residual_of(std::size_t part, const NodalFields& fields,
@@ -45,7 +45,7 @@ public:
   void add_tangent_of(std::size_t part, const NodalFields& fields, rigid::Bodies& bodies,
                       double* values);
 
-  // Events; see Contribution.
+  // Events, see Contribution.
   void begin_step();
   void begin_solve(SolveKind kind);
   void iterate_taken();

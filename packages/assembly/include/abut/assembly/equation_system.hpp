@@ -104,7 +104,6 @@ private:
   };
   void prepare(const Vector& x);
   void scale_joints();
-  double add_joint_forces(std::vector<double>& residual);
   Size measure(const Vector& x, const double (&norms)[4]) const;
   void assemble_tangent(bool mass_alone);
   void add_work(const Vector& x);

@@ -54,6 +54,7 @@ public:
   bool acts() const;
 
   const char* name() const override;
+  Role role() const override { return Role::contact; }
   Phase phase() const override { return Phase::contact; }
   void prepare(const NodalFields& fields) override;
   const Connectivity& connectivity() const override;

@@ -44,6 +44,16 @@ enum class SolveKind {
   after_augmentation, ///< the same again, after multipliers have changed
 };
 
+/// What the forces of a contribution are to the equations.
+enum class Role {
+  internal, ///< forces of bodies: their size is what residuals are compared with
+  external, ///< loads: what they do is work from outside
+  contact,  ///< forces between bodies
+  /// Rates of momentum, see TimeIntegration. Where no time has gone by since the last accepted
+  /// state, the tangent is the derivative by the acceleration: the mass.
+  inertia,
+};
+
 /// A sum of small dense blocks over cells of a few nodes: the one thing that assembly knows of any
 /// physics (solid, contact, loads). Residuals have the sign of internal force minus external force.
 class Contribution {
@@ -51,6 +61,7 @@ public:
   virtual ~Contribution() = default;
 
   virtual const char* name() const = 0;
+  virtual Role role() const { return Role::external; }
   virtual Phase phase() const { return Phase::solid; } ///< whose time its evaluation counts as
 
   /// Brings everything that depends on the configuration up to date (search, pairs, ghosts) before
@@ -73,13 +84,6 @@ public:
 
   /// Whether the tangent is symmetric.
   virtual bool symmetric() const { return true; }
-
-  /// Whether it holds internal forces of bodies: their size is what residuals are compared with.
-  virtual bool internal_force() const { return false; }
-
-  /// Whether it holds rates of momentum, see TimeIntegration. Where no time has gone by since the
-  /// last accepted state, its tangent is the derivative by the acceleration: the mass.
-  virtual bool inertial() const { return false; }
 
   /// Square of the residual norm that rounding of positions makes, of this rank's cells [force^2].
   virtual double round_off_force2() const { return 0.0; }

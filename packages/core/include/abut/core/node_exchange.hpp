@@ -114,6 +114,8 @@ public:
   /// Sets every row of values (nodes, width) to the sum over all ranks that have the node. They add
   /// in the order of the ranks: each gets the same digits. Collective.
   template <class T> void sum(T* values, int width = 1) const {
+    if (messages_.neighbours().empty())
+      return;
     const auto in = messages_.exchange(values, width);
     std::vector<T> total(holder_count_.size() * static_cast<std::size_t>(width), T{});
     const auto add_from = [&](std::size_t k) {

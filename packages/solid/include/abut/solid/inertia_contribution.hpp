@@ -30,7 +30,7 @@ public:
 
   const char* name() const override { return "inertia"; }
   const Connectivity& connectivity() const override { return connectivity_; }
-  bool inertial() const override { return true; }
+  Role role() const override { return Role::inertia; }
   bool symmetric() const override { return symmetric_; }
 
   void prepare(const NodalFields& fields) override;

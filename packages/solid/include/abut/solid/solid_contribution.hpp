@@ -16,7 +16,7 @@ public:
 
   const char* name() const override { return "solid"; }
   const Connectivity& connectivity() const override { return connectivity_; }
-  bool internal_force() const override { return true; }
+  Role role() const override { return Role::internal; }
 
   /// Both throw SolveError on the ranks with an inverted element, after the loop: it names the
   /// element's number in the input and det F. The caller spreads it.
