@@ -10,12 +10,24 @@
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <cstdio>
 #include <cstdlib>
-#include <iostream>
+#include <string>
 
 namespace {
 
 enum Exit { converged = 0, stopped = 1, input = 2, defect = 3 };
+
+/// One line on stderr in one piece: parts of it could be torn apart by what others print.
+void say(const std::string& message) {
+  const std::string line = "abut: " + message + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+/// Of what no user can mend.
+void say_defect(const std::exception& e) {
+  say(std::string("this is a defect of abut, please report it: ") + e.what());
+}
 
 /// Parses and runs the command. Errors that all ranks agree on are printed once; one that a single
 /// rank meets ends all of them.
@@ -37,16 +49,16 @@ int run(int argc, char** argv, const abut::Comm& comm) {
     return code == 0 ? converged : input;
   } catch (const abut::InputError& e) {
     if (comm.is_root())
-      std::cerr << "abut: " << e.what() << '\n';
+      say(e.what());
     return input;
   } catch (const abut::SolveError& e) {
     if (comm.is_root())
-      std::cerr << "abut: " << e.what() << '\n';
+      say(e.what());
     return stopped;
   } catch (const abut::Defect& e) {
-    std::cerr << "abut: this is a defect of abut, please report it: " << e.what() << '\n';
+    say_defect(e);
   } catch (const std::exception& e) {
-    std::cerr << "abut: this is a defect of abut, please report it: " << e.what() << '\n';
+    say_defect(e);
   }
   if (comm.size() > 1)
     MPI_Abort(comm.mpi(), defect); // others may wait for this rank

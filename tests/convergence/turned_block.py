@@ -40,6 +40,7 @@ class Count:
         self.stopped = 0 if result.status == 0 else int(float(reached[-1]) * STEPS + 1e-6) + 1 if reached else 1
         # Newton's iterations and the predictor of each solved step; cut steps are in the total alone
         self.steps = [int(n) + 1 for n in re.findall(r"^step\s.*?\s(\d+) iterations", result.output, re.M)]
+        self.residuals = re.findall(r"newton\s+\d+\s+residual (\S+)", result.output)
         self.augmentations = [int(n) for n in re.findall(r"^step\s.*?\s(\d+) augmentations", result.output, re.M)]
         self.result = result
 
