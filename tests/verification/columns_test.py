@@ -164,7 +164,9 @@ class Uzawa(unittest.TestCase):
         exact = approach / 2 if model == "linear_elastic" else (1 / stretch - stretch) / 2
         errors = []
         for number in range(4):
-            deck["contact"]["pair"]["max_augmentations"] = number
+            # none within the step: multipliers change when it is over
+            deck["contact"]["pair"]["uzawa"] = "nested" if number else "end_of_step"
+            deck["contact"]["pair"]["max_augmentations"] = max(1, number)
             result = scenes.run(deck)
             self.assertEqual(result.summary["augmentations"], number)
             errors.append(exact - result.force()[2])

@@ -97,14 +97,12 @@ void EquationSystem::prepare(const Vector& x) {
   const bool same = prepared_ && state == state_version_ && u.size() == u_.size() &&
                     std::memcmp(u.data(), u_.data(), u.size() * sizeof(double)) == 0 &&
                     bodies_.stands_at(placements) && joints_.stands_at(multipliers);
-  if (!comm.any(!same))
+  const bool finite = std::all_of(u.begin(), u.end(), [](double v) { return std::isfinite(v); });
+  double worst[2] = {same ? 0.0 : 1.0, finite ? 0.0 : 1.0};
+  comm.max(worst, 2);
+  if (worst[0] == 0.0)
     return;
-  for (double v : u)
-    if (!std::isfinite(v)) {
-      u[0] = v;
-      break;
-    }
-  if (comm.any(!u.empty() && !std::isfinite(u[0])))
+  if (worst[1] > 0.0)
     throw SolveError("an unknown is not a finite number");
   u_ = std::move(u);
   state_version_ = state;
