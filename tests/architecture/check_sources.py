@@ -30,6 +30,9 @@ ALLOWED = {
 CPP_SUFFIXES = {".hpp", ".cpp"}
 SCRIPT_SUFFIXES = {".py", ".cmake", ".sh"}
 LONGEST_FUNCTION = 60
+MOST_DATA, MOST_FUNCTIONS = 25, 40  # members of a class
+# Records of what a user or a host may say: one member for each key, no state that code has to keep consistent.
+RECORDS = {"ContactOptions", "Settings"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 # Comments and literals, in the order in which the first one that starts wins.
@@ -163,6 +166,101 @@ def function_lengths(text):
                 start = None
 
 
+CLASS = re.compile(r"\b(?:class|struct)\s+(?:\[\[\w+\]\]\s*)?(\w+)(?:\s+final)?\s*(?::[^;{]*)?\{")
+NO_MEMBER = re.compile(r"(?:using|typedef|friend|enum|static_assert|class|struct|union)\b")
+
+
+def closing(code, start):
+    """Position of the brace that closes the one at `start`."""
+    depth = 0
+    for position in range(start, len(code)):
+        depth += {"{": 1, "}": -1}.get(code[position], 0)
+        if depth == 0:
+            return position
+    return len(code)
+
+
+def without_arguments(text):
+    """The text without what stands in angle brackets: types such as function<void(int)>."""
+    while True:
+        shorter = re.sub(r"(\w\s*)<[^<>;{}]*>", r"\1", text)
+        if shorter == text:
+            return text
+        text = shorter
+
+
+def statements(body):
+    """Declarations of a class body, initialisers and function bodies left out."""
+    flat = ""
+    while body:
+        brace = body.find("{")
+        if brace < 0:
+            flat += body
+            break
+        end = closing(body, brace)
+        before = re.split(r"[;}]", flat + body[:brace])[-1]
+        outside = re.sub(r"\([^()]*\)", "", before)  # default arguments are none
+        is_initialiser = "=" in outside or "(" not in without_arguments(before)
+        nested = NO_MEMBER.match(re.sub(r"^(?:\s|public:|private:|protected:|template)*", "",
+                                        without_arguments(before).strip()))
+        flat += body[:brace] + ("" if is_initialiser or nested else ";")
+        body = body[end + 1:]
+    for statement in flat.split(";"):
+        statement = re.sub(r"\b(?:public|private|protected)\s*:(?!:)", "", statement)
+        statement = re.sub(r"^\s*template\s*", "", without_arguments(statement)).strip()
+        statement = re.sub(r"^template\s+", "", statement)
+        if statement and not NO_MEMBER.match(statement):
+            yield statement
+
+
+def member_counts(code):
+    """(name, position, data members, member functions) of each class; nested ones by themselves."""
+    for match in CLASS.finditer(code):
+        if re.search(r"\benum\s+$", code[:match.start()][-8:]):
+            continue
+        brace = match.end() - 1
+        data = functions = 0
+        for statement in statements(code[brace + 1:closing(code, brace)]):
+            head = statement.split("=", 1)[0]
+            if "(" in head or "operator" in statement:
+                functions += 1
+            elif not head.startswith("static "):
+                data += 1 + re.sub(r"=[^,]*", "", statement).count(",")
+        yield match.group(1), match.start(), data, functions
+
+
+def class_errors(root):
+    for top in ("packages", "apps"):
+        for path in files_below(root / top, CPP_SUFFIXES):
+            code = HIDDEN.sub(blank, path.read_text())
+            for name, position, data, functions in member_counts(code):
+                where = f"{path.relative_to(root)}:{line_of(code, position)}"
+                if data > MOST_DATA and name not in RECORDS:
+                    yield f"{where}: {name} has {data} data members"
+                if functions > MOST_FUNCTIONS:
+                    yield f"{where}: {name} has {functions} member functions"
+
+
+KERNEL_FORBIDDEN = {
+    r"\bstd\s*::\s*(vector|function|map|string|unique_ptr|shared_ptr)\b": "kernels are device code",
+    r"\bdual_\w*": "kernels know sites, not spaces",
+}
+LABELLED = re.compile(r'\bparallel_(?:for|reduce|scan)\(\s*"(?!abut::)')
+
+
+def kernel_errors(root):
+    for path in files_below(root / "packages", CPP_SUFFIXES):
+        name, text = path.relative_to(root), path.read_text()
+        for match in LABELLED.finditer(text):
+            yield f"{name}:{line_of(text, match.start())}: labels of kernels begin with abut::"
+        if "kernels" not in path.parent.parts[len(root.parts):]:
+            continue
+        code = HIDDEN.sub(blank, text)
+        for pattern, reason in KERNEL_FORBIDDEN.items():
+            for match in re.finditer(pattern, code):
+                yield f"{name}:{line_of(code, match.start())}: {match.group(0)}: {reason}"
+
+
 def long_functions(root):
     """Warnings only: a long table or switch may be the clearest."""
     for top in ("packages", "apps"):
@@ -175,6 +273,8 @@ def long_functions(root):
 def errors(root):
     yield from package_errors(root)
     yield from text_errors(root)
+    yield from class_errors(root)
+    yield from kernel_errors(root)
 
 
 def main(arguments):

@@ -56,6 +56,38 @@ class CheckSources(unittest.TestCase):
             self.assertLessEqual(allowed, above, package)
             above.add(package)
 
+    def a_class(self, data, functions):
+        members = "".join(f"  std::function<void(int, int)> a{i}{{}};\n" for i in range(data))
+        members += "".join(f"  template <class T> int f{i}(T x, int y = 0) const {{ int z{{1}}; return y + z; }}\n"
+                           for i in range(functions))
+        nested = "  struct Other { int a, b, c; void f(); };\n  enum class E { x, y };\n  using T = int;\n"
+        return f"class Large final : public Base {{\npublic:\n{nested}{members}\nprivate:\n}};\n"
+
+    def test_classes_have_a_size(self):
+        self.source("core", self.a_class(25, 40))
+        self.assertEqual(self.errors(), [])
+        self.source("core", self.a_class(26, 0))
+        self.assert_one("Large has 26 data members")
+        self.source("core", self.a_class(0, 41))
+        self.assert_one("Large has 41 member functions")
+        self.source("core", "struct Plain {\n  int a, b" + "".join(f", c{i} = 0" for i in range(24)) + ";\n};\n")
+        self.assert_one("Plain has 26 data members")
+
+    def test_kernels_are_device_code(self):
+        kernel = "packages/core/src/kernels/a.cpp"
+        self.write(kernel, LICENSE + "double x = 0.0; // std::vector\n")
+        self.assertEqual(self.errors(), [])
+        self.write(kernel, LICENSE + "std::vector<int> x;\n")
+        self.assert_one("kernels are device code")
+        self.write(kernel, LICENSE + "bool dual_law;\n")
+        self.assert_one("kernels know sites")
+
+    def test_kernels_have_labels_of_ours(self):
+        self.source("core", 'void f() { parallel_for("abut::x", 1, 2); }\n')
+        self.assertEqual(self.errors(), [])
+        self.source("core", 'void f() { parallel_for("x", 1, 2); }\n')
+        self.assert_one("begin with abut::")
+
     def test_deck_knows_options_only(self):
         self.source("deck", '#include "abut/contact/options.hpp"\n')
         self.assertEqual(self.errors(), [])

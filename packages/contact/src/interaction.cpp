@@ -21,6 +21,16 @@ struct Interaction::Parts {
       : data(comm, std::move(primary), std::move(secondary), options, share), augmenter(data),
         timers(phase_timers) {}
 
+  /// What the settings say at the present time.
+  void set_terms(double time);
+  /// Outside of its window: no partners, no forces. What the points remember stays until a step of
+  /// this kind is accepted, for it may yet be cut.
+  void rest();
+  /// Partners, readings and the law, at points or nodes.
+  void evaluate_sites();
+  void build_pairs();
+  void add_node_rows(const NodeRowArrays& rows) const;
+
   InterfaceData data;
   Augmenter augmenter;
   PhaseTimers& timers;
@@ -108,49 +118,43 @@ double Interaction::penalty_factor() const {
   return settings().penalty_source == PenaltySource::given ? 0.0 : parts_->data.factor;
 }
 
-/// What the settings say at the present time.
-void Interaction::set_terms(const NodalFields& fields) {
-  const Settings& o = settings();
-  const Parts& p = *parts_;
-  PointTerms& terms = parts_->data.terms;
-  const double t = fields.time;
-  const double scale = p.penalty_schedule ? p.penalty_schedule(t) : 1.0;
+void Interaction::Parts::set_terms(double time) {
+  const Settings& o = data.settings;
+  PointTerms& terms = data.terms;
+  const double scale = penalty_schedule ? penalty_schedule(time) : 1.0;
   const bool given = o.penalty_source == PenaltySource::given;
-  terms.law.friction = o.friction * (p.friction_schedule ? p.friction_schedule(t) : 1.0);
-  terms.law.predicting = p.predicting && p.established;
+  terms.law.friction = o.friction * (friction_schedule ? friction_schedule(time) : 1.0);
+  terms.law.predicting = predicting && established;
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
-  terms.user_law = bool(p.normal_law);
+  terms.user_law = bool(normal_law);
   terms.penalty = given ? scale * o.penalty : 0.0;
-  terms.stiffness = given ? 0.0 : scale * p.data.factor * o.modulus;
-  const double end = std::min(o.window.until.value_or(p.end), p.end);
+  terms.stiffness = given ? 0.0 : scale * data.factor * o.modulus;
+  const double resolved = std::min(o.window.until.value_or(end), end);
   terms.fade = o.initial_overlap == InitialOverlap::resolve
-                   ? std::max(0.0, 1.0 - (t - o.window.from) / (end - o.window.from))
+                   ? std::max(0.0, 1.0 - (time - o.window.from) / (resolved - o.window.from))
                    : 1.0;
-  terms.search_hold = p.iterates >= o.segment_updates ? frozen_margin : 0.0;
+  terms.search_hold = iterates >= o.segment_updates ? frozen_margin : 0.0;
 }
 
 void Interaction::prepare(const NodalFields& fields) {
   Parts& p = *parts_;
   const PhaseTimers::Scope scope(p.timers, Phase::search);
-  set_terms(fields);
+  p.set_terms(fields.time);
   p.data.place.move(fields);
   p.augmenter.forget_proposal();
   p.data.acts = settings().window.holds(fields.time);
   if (!p.data.acts)
-    return rest();
+    return p.rest();
   if (!p.started)
     begin_history(p.data);
   p.started = true;
   p.data.place.follow();
-  evaluate_sites();
-  build_pairs();
+  p.evaluate_sites();
+  p.build_pairs();
 }
 
-/// Outside of its window: no partners, no forces. What the points remember stays until a step of
-/// this kind is accepted, for it may yet be cut.
-void Interaction::rest() {
-  InterfaceData& data = parts_->data;
+void Interaction::Parts::rest() {
   Kokkos::deep_copy(data.points.state, PointState());
   Kokkos::deep_copy(data.points.reading, SiteReading());
   if (data.nodal)
@@ -177,14 +181,12 @@ void apply_law(const NormalLaw& law, const PointArrays& points) {
 
 } // namespace
 
-/// Partners, readings and the law, at points or nodes.
-void Interaction::evaluate_sites() {
-  InterfaceData& data = parts_->data;
+void Interaction::Parts::evaluate_sites() {
   const Local points = data.points.size();
   Kokkos::parallel_for("abut::contact::read_points", Range(0, points),
                        ReadPoints{data.place.search(), data.points, data.terms});
-  if (parts_->normal_law)
-    apply_law(parts_->normal_law, data.points);
+  if (normal_law)
+    apply_law(normal_law, data.points);
   if (data.nodal)
     data.nodal->evaluate(data.primary(), data.points, data.terms.law);
   else
@@ -192,24 +194,22 @@ void Interaction::evaluate_sites() {
                          DecidePoints{data.primary(), data.facing(), data.points, data.terms});
 }
 
-void Interaction::add_node_rows(const NodeRowArrays& rows) const {
-  const InterfaceData& data = parts_->data;
-  Kokkos::parallel_for("abut::contact::node_rows", Range(0, parts_->pairs.size()),
-                       AddNodeRows{data.primary(), data.facing(), data.points, parts_->pairs,
+void Interaction::Parts::add_node_rows(const NodeRowArrays& rows) const {
+  Kokkos::parallel_for("abut::contact::node_rows", Range(0, pairs.size()),
+                       AddNodeRows{data.primary(), data.facing(), data.points, pairs,
                                    data.nodal->arrays(), rows, data.terms});
 }
 
-void Interaction::build_pairs() {
-  Parts& p = *parts_;
+void Interaction::Parts::build_pairs() {
   Connectivity cells;
-  p.pairs = make_pairs(p.data.primary(), p.data.facing(), p.data.points, cells);
-  if (p.data.nodal)
-    p.node_cells.build(p.data.comm, p.data.surface(), p.data.corners, p.data.nodal->arrays(),
-                       p.pairs, [this](const NodeRowArrays& rows) { add_node_rows(rows); }, cells);
-  if (cells.nodes == p.connectivity.nodes && cells.offsets == p.connectivity.offsets)
+  pairs = make_pairs(data.primary(), data.facing(), data.points, cells);
+  if (data.nodal)
+    node_cells.build(data.comm, data.surface(), data.corners, data.nodal->arrays(), pairs,
+                     [this](const NodeRowArrays& rows) { add_node_rows(rows); }, cells);
+  if (cells.nodes == connectivity.nodes && cells.offsets == connectivity.offsets)
     return;
-  p.connectivity = std::move(cells);
-  ++p.connectivity_version;
+  connectivity = std::move(cells);
+  ++connectivity_version;
 }
 
 const Connectivity& Interaction::candidates() const {
@@ -287,7 +287,7 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
                                       o.tangent == Tangent::symmetric},
                           singular);
   if (data.nodal) {
-    parts_->node_cells.refill([this](const NodeRowArrays& rows) { add_node_rows(rows); });
+    parts_->node_cells.refill([this](const NodeRowArrays& r) { parts_->add_node_rows(r); });
     const NodeRowArrays& rows = parts_->node_cells.rows();
     Kokkos::parallel_for("abut::contact::node_tangent", Range(0, rows.size()),
                          ScatterNodes{data.nodal->arrays(), rows, scatter, parts_->pairs.size(),

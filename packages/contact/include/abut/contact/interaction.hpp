@@ -31,8 +31,6 @@ public:
   Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
               ContactOptions options, PhaseTimers& timers, double share = 1.0);
   ~Interaction() override;
-  Interaction(const Interaction&) = delete;
-  Interaction& operator=(const Interaction&) = delete;
 
   /// Factors over the load parameter t on penalty and friction coefficient.
   void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
@@ -98,12 +96,6 @@ public:
 
 private:
   struct Parts;
-  void set_terms(const NodalFields& fields);
-  void rest();
-  void evaluate_sites();
-  void build_pairs();
-  void add_node_rows(const struct NodeRowArrays& rows) const;
-
   std::unique_ptr<Parts> parts_;
 };
 
