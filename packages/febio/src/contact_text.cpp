@@ -61,6 +61,9 @@ private:
   PassPenalty penalty_of(const Contact& c, const std::string& primary,
                          const std::string& secondary) const {
     const double number = c.number("penalty");
+    if (!(number > 0.0))
+      throw InputError(model_.where(c.line) + ": the penalty of contact '" + c.name +
+                       "' must be positive");
     if (!c.flag("auto_penalty"))
       return {false, number, "", ""};
     const PassPenalty penalty = automatic_penalty(model_, mesh_, number, primary, secondary);

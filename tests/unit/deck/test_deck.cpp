@@ -116,7 +116,7 @@ TEST(Deck, WhatHoldsForATime) {
   EXPECT_THAT(hold.values, testing::ElementsAre(0, 0, 2, 0, 0, 0));
   EXPECT_TRUE(hold.relative);
   EXPECT_EQ(hold.curve, "c");
-  EXPECT_EQ(hold.window, (Window{1.0, 0.0}));
+  EXPECT_EQ(hold.window, (Window{1.0, {}}));
   const Window first = d.displacements[0].window, second = d.displacements[1].window;
   EXPECT_EQ(first, (Window{1.0, 2.0}));
   EXPECT_FALSE(first.overlaps(second));

@@ -67,7 +67,7 @@ TEST(Schema, TakesDefaultsAndRangesFromTheDeclaration) {
   const Field& contact = find(top, "contact");
   EXPECT_EQ(find(contact, "penalty_factor").initial,
             "automatic");
-  EXPECT_EQ(find(contact, "penalty_factor").range, ">= 0");
+  EXPECT_EQ(find(contact, "penalty_factor").range, "> 0");
   EXPECT_EQ(find(contact, "penalty").unit, "pressure/length");
   EXPECT_TRUE(find(contact, "primary").required);
   EXPECT_EQ(find(contact, "enforcement").initial, "penalty");

@@ -236,7 +236,10 @@ struct Model {
   double end() const { return start(steps.size()); }
   /// The time of steps first to last.
   Window window(std::size_t first, std::size_t last) const {
-    return {start(first), last + 1 < steps.size() ? start(last + 1) : 0.0};
+    Window window{start(first), {}};
+    if (last + 1 < steps.size())
+      window.until = start(last + 1);
+    return window;
   }
   /// Whether bodies have inertia: the same in all steps.
   bool is_dynamic() const { return !steps.empty() && steps[0].inertia.active; }
