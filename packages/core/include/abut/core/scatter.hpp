@@ -3,9 +3,11 @@
 
 #include "abut/core/types.hpp"
 
-#include <Kokkos_Macros.hpp>
+#include <Kokkos_Core.hpp>
 #include <cstdint>
 
+/// Cells that are added at the same time may share a node, so every sum is atomic. Where Kokkos has
+/// no parallel back end its atomic_add is a plain add, which the compiler vectorizes as such.
 namespace abut {
 
 /// How blocks of nodes that move with a rigid body reach its rows: the node's position is that of
@@ -26,9 +28,10 @@ struct RigidScatter {
     const Local b = body[node];
     double* sum = force + 12 * static_cast<std::int64_t>(b);
     for (int i = 0; i < 3; ++i) {
-      sum[i] += f[i];
+      Kokkos::atomic_add(sum + i, f[i]);
       for (int j = 0; j < 3; ++j)
-        sum[3 + 3 * i + j] += arm[3 * static_cast<std::int64_t>(node) + i] * f[j];
+        Kokkos::atomic_add(sum + 3 + 3 * i + j,
+                           arm[3 * static_cast<std::int64_t>(node) + i] * f[j]);
     }
     if (row[2 * b] < 0)
       return;
@@ -36,8 +39,8 @@ struct RigidScatter {
     double* rotation = values + 3 * static_cast<std::int64_t>(row[2 * b + 1]);
     const double* m = lever + 9 * static_cast<std::int64_t>(node);
     for (int i = 0; i < 3; ++i) {
-      translation[i] += f[i];
-      rotation[i] += m[3 * i] * f[0] + m[3 * i + 1] * f[1] + m[3 * i + 2] * f[2];
+      Kokkos::atomic_add(translation + i, f[i]);
+      Kokkos::atomic_add(rotation + i, m[3 * i] * f[0] + m[3 * i + 1] * f[1] + m[3 * i + 2] * f[2]);
     }
   }
 
@@ -61,7 +64,8 @@ struct RigidScatter {
                         : k[f * stride + g];
           double* out = values + p + static_cast<std::int64_t>(f) * length;
           for (int g = 0; g < 3; ++g)
-            out[g] += t ? left[0] * t[g] + left[1] * t[3 + g] + left[2] * t[6 + g] : left[g];
+            Kokkos::atomic_add(out + g, t ? left[0] * t[g] + left[1] * t[3 + g] + left[2] * t[6 + g]
+                                          : left[g]);
         }
       }
   }
@@ -88,7 +92,7 @@ struct ResidualScatter {
       }
       double* out = values + static_cast<std::int64_t>(row[s]) * fields;
       for (int f = 0; f < width; ++f)
-        out[f] += r[f];
+        Kokkos::atomic_add(out + f, r[f]);
     }
   }
 };
@@ -132,7 +136,7 @@ struct TangentScatter {
     for (int f = 0; f < width; ++f) {
       double* out = values + p + static_cast<std::int64_t>(f) * row_length[r];
       for (int g = 0; g < width; ++g)
-        out[g] += k[f * stride + g];
+        Kokkos::atomic_add(out + g, k[f * stride + g]);
     }
   }
 };
