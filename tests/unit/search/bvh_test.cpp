@@ -127,3 +127,43 @@ TEST(Box, LineThroughBox) {
   EXPECT_FALSE(b.meets_line(from, down, 1.9));
   EXPECT_FALSE(b.meets_line(from, side, 10.0));
 }
+
+// Kernels hold copies of the tree: they count in one what the host finds, before and after a refit,
+// and keep what they had when the host builds another.
+TEST(Bvh, TreeIsReadByKernels) {
+  Bvh<3> tree;
+  const auto boxes = random_boxes(2000, 5), moved = random_boxes(2000, 6);
+  const auto queries = abut::make_view("queries", random_boxes(300, 7));
+  tree.build(boxes);
+  const abut::search::Tree<3> view = tree.view();
+  const auto count = [&queries](const abut::search::Tree<3>& in) {
+    Local total = 0;
+    Kokkos::parallel_reduce(
+        "count", abut::Range(0, queries.extent(0)),
+        KOKKOS_LAMBDA(const Local q, Local& sum) {
+          const Box<3> query = queries(q);
+          Local found = 0;
+          in.traverse([&](const Box<3>& b) { return b.overlaps(query); }, [&](Local) { ++found; });
+          sum += found;
+        },
+        total);
+    return total;
+  };
+  const auto slow = [&queries](const std::vector<Box<3>>& all) {
+    Local total = 0;
+    for (std::size_t q = 0; q < queries.extent(0); ++q)
+      for (const Box<3>& b : all)
+        total += b.overlaps(queries(q));
+    return total;
+  };
+  ASSERT_GT(slow(boxes), 100);
+  ASSERT_NE(slow(boxes), slow(moved));
+  EXPECT_EQ(count(view), slow(boxes));
+  tree.refit(moved);
+  EXPECT_EQ(count(view), slow(moved));
+  tree.build(random_boxes(10, 8));
+  EXPECT_EQ(count(view), slow(moved));
+  tree = {};
+  EXPECT_EQ(count(view), slow(moved));
+  EXPECT_EQ(count(tree.view()), 0);
+}

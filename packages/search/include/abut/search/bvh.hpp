@@ -2,11 +2,14 @@
 #pragma once
 
 #include "abut/core/types.hpp"
+#include "abut/core/views.hpp"
 #include "abut/search/box.hpp"
 
 #include <vector>
 
 namespace abut::search {
+
+constexpr int max_open_nodes = 64; ///< halving 2^31 items needs half as many
 
 template <int D> struct TreeNode {
   Box<D> box;
@@ -14,26 +17,31 @@ template <int D> struct TreeNode {
   Local left = -1, right = -1;
 };
 
+/// What kernels read of a Bvh. Copied by value; the arrays are shared with the Bvh, so that a copy
+/// follows its refits and outlives the Bvh itself.
 template <int D> struct Tree {
-  const TreeNode<D>* nodes = nullptr;
-  const Local* items = nullptr;
-  const Box<D>* boxes = nullptr;
+  View<const TreeNode<D>> nodes; ///< a parent stands before its children
+  View<const Local> items;
+  View<const Box<D>> boxes; ///< (items)
   Local size = 0;
 
+  /// Calls visit(item) once for every item whose box passes test(box); a node is skipped as soon as
+  /// its own box fails, so the test may sharpen as items are visited. No order is promised.
   template <class Test, class Visit>
   KOKKOS_INLINE_FUNCTION void traverse(const Test& test, const Visit& visit) const {
     if (size == 0)
       return;
-    int stack[64], top = 0;
+    Local stack[max_open_nodes];
+    int top = 0;
     stack[top++] = 0;
     while (top > 0) {
-      const TreeNode<D>& node = nodes[stack[--top]];
+      const TreeNode<D>& node = nodes(stack[--top]);
       if (!test(node.box))
         continue;
       if (node.count > 0) {
         for (Local i = node.first; i < node.first + node.count; ++i)
-          if (test(boxes[items[i]]))
-            visit(items[i]);
+          if (test(boxes(items(i))))
+            visit(items(i));
       } else {
         stack[top++] = node.right;
         stack[top++] = node.left;
@@ -43,32 +51,37 @@ template <int D> struct Tree {
 };
 
 /// Bounding volume hierarchy over boxes (of faces). Built once by median splits, refitted when the
-/// boxes move; queries visit every item whose box passes a test, in no promised order.
+/// boxes move; queries visit every item whose box passes a test, in no promised order. Building and
+/// refitting run on the host.
 template <int D> class Bvh {
 public:
-  /// Builds the tree over the items' boxes.
+  Bvh() = default;
+  Bvh(Bvh&&) = default;
+  Bvh& operator=(Bvh&&) = default;
+  Bvh(const Bvh&) = delete; // a copy would share the arrays
+  Bvh& operator=(const Bvh&) = delete;
+
+  /// Builds the tree over the items' boxes, in arrays of its own: trees given out keep the old
+  /// ones.
   void build(const std::vector<Box<D>>& boxes);
-  /// Fits the same tree to moved boxes (same count as in build).
+  /// Fits the same tree to moved boxes (same count as in build); trees given out follow.
   void refit(const std::vector<Box<D>>& boxes);
 
-  Local size() const { return static_cast<Local>(items_.size()); }
+  Local size() const { return static_cast<Local>(items_.extent(0)); }
 
   /// Boxes of the nodes `levels` below the root (or leaves above): a summary of the whole set.
   std::vector<Box<D>> summary(int levels) const;
 
-  /// Calls visit(item) for every item whose box passes `test(box)`; a node is skipped as soon as
-  /// its own box fails, so the test may sharpen as items are visited.
+  /// As Tree::traverse.
   template <class Test, class Visit> void traverse(const Test& test, const Visit& visit) const {
     view().traverse(test, visit);
   }
-  Tree<D> view() const { return {nodes_.data(), items_.data(), boxes_.data(), size()}; }
+  Tree<D> view() const { return {nodes_, items_, boxes_, size()}; }
 
 private:
-  Local split(Local first, Local count);
-
-  std::vector<TreeNode<D>> nodes_; ///< a parent stands before its children
-  std::vector<Local> items_;
-  std::vector<Box<D>> boxes_;
+  View<TreeNode<D>> nodes_;
+  View<Local> items_;
+  View<Box<D>> boxes_;
 };
 
 extern template class Bvh<2>;
