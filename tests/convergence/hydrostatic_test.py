@@ -112,7 +112,11 @@ class Curved(unittest.TestCase):
     @unittest.skipUnless(KNOWN.thorough, "takes long")
     def test_quadratic_cells(self):
         """The mean follows the overlap p/eps, order 1: p/eps over the heights, times the stiffness of the
-        compressed column and 1/cos of the slope (1.09 in the mean of the cylinder)."""
+        compressed column and 1/cos of the slope (1.09 in the mean of the cylinder).
+        Five points for that: three leave 6 % rms on the pressures of points where faces do not fit, on any
+        mesh, and some 1e-3 of either sign on mean and force, which the loss comes down to. On faces that fit
+        three points lose 0.95 to 0.96 of what is expected, both by the mean and by the force; five on 3:2
+        lose 0.98 of it by the mean."""
         meshes = KNOWN.meshes[:2]
         volume = STRETCH**3
         exact = hydrostatic.exact_pressure(STRETCH, MODEL)
@@ -125,8 +129,10 @@ class Curved(unittest.TestCase):
                 if name == "cylinder":
                     face = 1 / (1.5 * meshes[-1])
                     loss = stiffness * STRETCH**2 * face / (10 * 2.2)
-                    print(f"  loss by overlap: expected {1.09 * loss:.5f}")
-                    self.assertLess(abs(runs[-1].mean / (-1.09 * loss) - 1), 0.1)
+                    finer = run(SHAPES[name], meshes[-1], "hex20", penalty_factor=10, points=5)
+                    print(f"  loss by overlap: expected {1.09 * loss:.5f}, five points {-finer.mean:.5f}")
+                    self.assertGreater(finer.active, 0)
+                    self.assertLess(abs(finer.mean / (-1.09 * loss) - 1), 0.1)
 
     def test_quadratic_against_linear_cells(self):
         """With a stiff penalty the facets decide: linear ones disturb the bodies more."""
