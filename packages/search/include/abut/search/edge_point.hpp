@@ -3,6 +3,8 @@
 
 #include "abut/core/tensor.hpp"
 
+#include <initializer_list>
+
 namespace abut::search {
 
 /// Root in [low, high] of the cubic c0 + c1 t + c2 t^2 + c3 t^3, which is monotone there and has
