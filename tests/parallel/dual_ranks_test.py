@@ -7,7 +7,7 @@ import numpy as np
 
 import friction_ranks_test as friction
 import scenes
-from test_ranks import SLAB, SPHERE, TOLERANCE, Ranks
+from ranks_test import SLAB, SPHERE, TOLERANCE, Ranks
 
 DUAL = {"contact": {"pair": {"multipliers": "dual"}}}
 AUGMENTED = {"contact": {"pair": {"multipliers": "dual", "enforcement": "augmented_lagrangian",

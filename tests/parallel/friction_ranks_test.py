@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 
 import scenes
-from test_ranks import TOLERANCE, Ranks
+from ranks_test import TOLERANCE, Ranks
 
 SCENE = {
     "mesh": {"generate": {"kind": "blocks", "lower_size": [4, 1, 0.5], "lower_divisions": [12, 3, 1],

@@ -12,7 +12,7 @@
 namespace {
 
 bool close(double value, double expected) {
-  return std::fabs(value - expected) < 1e-8;
+  return std::fabs(value - expected) < 1e-10;
 }
 
 bool contact_is_right(const abut::Comm& comm) {
@@ -22,7 +22,7 @@ bool contact_is_right(const abut::Comm& comm) {
   abut::PhaseTimers timers;
   abut::contact::Interaction contact(comm, host::square(comm, 0, -0.01, false, 0),
                                      host::square(comm, comm.size() - 1, 0.0, true, 4), options, timers);
-  const std::vector<double> displacement(4 * 3, 0.0);
+  const std::vector<double> displacement(8 * 3, 0.0);
   const abut::NodalFields fields{displacement.data(), 3, 0.0};
   contact.prepare(fields);
 
@@ -67,9 +67,11 @@ int main(int argc, char** argv) {
     const Kokkos::ScopeGuard kokkos(argc, argv);
     const abut::Comm comm(MPI_COMM_WORLD);
     const host::Answer plate = host::press_and_shear(comm);
-    const bool plate_is_right = close(plate.shift, 0.01) && close(plate.pressing, 20.0) &&
-                                close(plate.shearing, 6.0) && plate.interfaces == 2 &&
-                                plate.augmentations > 0 && plate.slipping > 0;
+    constexpr double gap = 1e-12 * 1e5; // tolerance of augmentation over the springs' compliance
+    const bool plate_is_right =
+        close(plate.shift, 0.01) && std::fabs(plate.pressing - 20.0) < gap &&
+        std::fabs(plate.shearing - 6.0) < gap && plate.interfaces == 2 &&
+        plate.augmentations > 0 && plate.slipping > 0;
     right = !comm.any(!contact_is_right(comm)) && plate_is_right;
     if (comm.is_root())
       std::puts(right ? "consumer: all right" : "consumer: wrong contact values");
