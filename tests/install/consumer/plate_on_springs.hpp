@@ -90,6 +90,11 @@ inline void add_springs(const std::vector<double>& u, System& system) {
   }
 }
 
+/// How far the forces of press_and_shear may be off: under a quarter of 20 each node of the ground
+/// gives way by 5e-12, which takes 200 . 5e-12 off the springs' force; the gap that augmentation
+/// may leave takes 200 . 1e-12. [force]
+constexpr double force_tolerance = 200.0 * (5e-12 + 1e-12);
+
 struct Answer {
   double shift = 0.0;    ///< of the plate along the ground [length]
   double pressing = 0.0; ///< normal force of both passes [force]
