@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs `abut check DECK` and holds it against the deck's first line, a comment `expect: REGEX`.
+"""Runs `abut check DECK` and `abut run DECK` and holds both against the deck's first line, a comment
+`expect: REGEX`.
 
-The program must end with status 2, say what REGEX asks for, and say it once however many ranks run.
-usage: run_invalid_deck.py [--seconds N] DECK -- COMMAND...   (COMMAND: [mpiexec ...] abut check)
+The program must end with status 2, say what REGEX asks for, say it once however many ranks run, and
+leave no results.
+usage: run_invalid_deck.py [--seconds N] DECK -- PROGRAM...   (PROGRAM: [mpiexec ...] abut)
 """
 import argparse
+import os
 import pathlib
 import re
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import process  # noqa: E402  found by the line above
@@ -37,14 +41,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("deck")
-    parser.add_argument("command", nargs="+")
+    parser.add_argument("program", nargs="+")
     arguments = parser.parse_args()
     regex = expectation(arguments.deck)
-    status, output = process.execute(arguments.command + [arguments.deck], arguments.seconds)
-    found = list(faults(status, output, regex, arguments.seconds))
-    if found:
-        print("\n".join(found), "\n--- output:\n" + output)
-    return 1 if found else 0
+    wrong = 0
+    with tempfile.TemporaryDirectory(prefix="abut_invalid_") as folder:
+        for command in (["check"], ["run", "--output-dir", folder]):
+            status, output = process.execute(
+                arguments.program + command + [arguments.deck], arguments.seconds)
+            found = list(faults(status, output, regex, arguments.seconds))
+            found += [f"left {path}" for path in os.listdir(folder)]
+            if found:
+                print(f"abut {command[0]}:", "\n".join(found), "\n--- output:\n" + output)
+            wrong += len(found)
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

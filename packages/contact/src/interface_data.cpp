@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interface_data.hpp"
 
-#include "abut/core/error.hpp"
+#include "abut/contact/option_error.hpp"
 
 namespace abut::contact {
 
@@ -12,7 +12,7 @@ SideComparison compared(const Comm& comm, const mesh::Surface& primary,
                         const mesh::Surface& secondary, const std::string& name) {
   for (const mesh::Surface* s : {&primary, &secondary})
     if (comm.sum(Global(s->num_faces())) == 0)
-      throw InputError("contact." + name + ": surface '" + s->name + "' has no faces");
+      throw OptionError("contact." + name, "surface '" + s->name + "' has no faces");
   return compare_sides(comm, primary, secondary);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/passes.hpp"
 
-#include "abut/core/error.hpp"
+#include "abut/contact/option_error.hpp"
 
 #include <cstdio>
 #include <utility>
@@ -20,13 +20,13 @@ std::string warn_of_side(const Settings& settings, const SideComparison& sides) 
          "automatic'";
 }
 
-/// A curve that the options name.
-std::function<double(double)> curve(const HostFacts& host, const std::string& interface,
+/// The curve that the option at `path` names.
+std::function<double(double)> curve(const HostFacts& host, const std::string& path,
                                     const std::string& name) {
   if (name.empty())
     return {};
   if (!host.curve)
-    throw InputError("contact." + interface + ": there is no curve '" + name + "'");
+    throw OptionError(path, "there is no curve '" + name + "'");
   return host.curve(name);
 }
 
@@ -35,8 +35,9 @@ std::shared_ptr<Interaction> make_pass(const Comm& comm, const mesh::Surface& pr
                                        const ContactOptions& options, PhaseTimers& timers,
                                        const HostFacts& host, double share) {
   auto pass = std::make_shared<Interaction>(comm, primary, secondary, options, timers, share);
-  pass->set_schedules(curve(host, options.name, options.penalty_curve),
-                      curve(host, options.name, options.friction_curve));
+  const std::string path = "contact." + options.name;
+  pass->set_schedules(curve(host, path + ".penalty_curve", options.penalty_curve),
+                      curve(host, path + ".friction_curve", options.friction_curve));
   pass->set_end(host.end);
   if (host.prescribed)
     pass->set_prescribed(host.prescribed(pass->primary()));

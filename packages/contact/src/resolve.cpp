@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/contact/resolve.hpp"
 
-#include "abut/core/error.hpp"
+#include "abut/contact/option_error.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -10,6 +10,12 @@
 namespace abut::contact {
 
 namespace {
+
+const char* word(FrictionMap map) {
+  if (map == FrictionMap::inclined_ray)
+    return "inclined_ray";
+  return map == FrictionMap::literal ? "literal" : "incremental";
+}
 
 bool along_rays(FrictionMap map) {
   return map == FrictionMap::inclined_ray || map == FrictionMap::literal;
@@ -30,29 +36,43 @@ const char* against_dual(const ContactOptions& o) {
   return o.friction_map == FrictionMap::literal ? "friction_map: literal" : nullptr;
 }
 
+/// The key of those that sticky points do without; null: none.
+const char* against_sticky(const ContactOptions& o) {
+  if (o.tied)
+    return "tied";
+  if (o.tension)
+    return "tension";
+  return o.friction > 0.0 ? "friction" : nullptr;
+}
+
 void refuse_contradictions(const ContactOptions& o, const SideComparison& sides) {
-  const auto refuse = [&](bool refused, const std::string& why) {
+  const auto refuse = [&](bool refused, const char* key, const std::string& reason) {
     if (refused)
-      throw InputError("contact." + o.name + why);
+      throw OptionError("contact." + o.name + key, reason);
   };
-  refuse(o.primary == o.secondary && !o.primary.empty() && o.two_pass,
-         ".two_pass: self-contact of '" + o.primary + "' has points on both sides already");
-  refuse(o.tied && o.tension, ".tension: tied points pull already");
-  refuse(o.sticky && (o.tied || o.tension || o.friction > 0.0),
-         ".sticky: does not go with tied, tension or friction");
-  const char* key = against_dual(o);
-  refuse(o.multipliers == Multipliers::dual && key,
-         std::string(": 'multipliers: dual' does not go with '") + (key ? key : "") + "'");
+  const auto quoted = [](const char* key) { return std::string("'") + (key ? key : "") + "'"; };
+  refuse(o.primary == o.secondary && !o.primary.empty() && o.two_pass, ".two_pass",
+         "expected false: self-contact of '" + o.primary + "' has points on both sides already");
+  refuse(o.tied && o.tension, ".tension", "expected false: tied points pull already");
+  const char* key = against_sticky(o);
+  refuse(o.sticky && key, ".sticky", "does not go with " + quoted(key) + ": leave one of them out");
+  key = against_dual(o);
+  refuse(o.multipliers == Multipliers::dual && key, ".multipliers",
+         "'dual' does not go with " + quoted(key) + "; valid here: automatic, smoothed, per_point");
   refuse(along_rays(o.friction_map) && o.formulation != Formulation::sliding_elastic,
-         ": this friction_map works along rays: it needs 'formulation: sliding_elastic'");
-  refuse(sides.softest == 0.0 && !o.penalty,
-         ": both surfaces are rigid: give 'penalty' [pressure/length]");
-  refuse(o.max_augmentations < 1,
-         ".max_augmentations: expected a whole number >= 1; for multipliers that change once, at "
-         "the end of each step, give 'uzawa: end_of_step'");
-  refuse(o.min_augmentations > o.max_augmentations,
-         ".min_augmentations: more than max_augmentations, which is " +
-             std::to_string(o.max_augmentations));
+         ".friction_map",
+         quoted(word(o.friction_map)) +
+             " needs the rays of 'formulation: sliding_elastic'; valid here: automatic, "
+             "incremental");
+  refuse(sides.softest == 0.0 && !o.penalty, "",
+         "missing key 'penalty' (both surfaces are rigid: expected a number > 0 "
+         "[pressure/length])");
+  refuse(o.max_augmentations < 1, ".max_augmentations",
+         "expected a whole number >= 1; for multipliers that change once, at the end of each "
+         "step, give 'uzawa: end_of_step'");
+  refuse(o.min_augmentations > o.max_augmentations, ".min_augmentations",
+         "expected at most max_augmentations, which is " + std::to_string(o.max_augmentations) +
+             ", got " + std::to_string(o.min_augmentations));
 }
 
 Multipliers space(const ContactOptions& o, const SideComparison& sides) {
@@ -119,12 +139,6 @@ std::string number(double x) {
   return text;
 }
 
-const char* word(FrictionMap map) {
-  if (map == FrictionMap::inclined_ray)
-    return "inclined_ray";
-  return map == FrictionMap::literal ? "literal" : "incremental";
-}
-
 std::string explain_penalty(const ContactOptions& o, const Settings& s) {
   if (s.penalty_source == PenaltySource::given)
     return "penalty: eps = " + number(s.penalty) + ", given\n";
@@ -152,8 +166,9 @@ std::string explain_space(const ContactOptions& o, const Settings& s) {
   if (s.nodal_law())
     return text + ", automatic\n";
   const char* key = against_dual(o);
+  const char* primary = s.sides.is_poor() ? "a primary so stiff and fine" : "a primary so stiff";
   return text + ", automatic: dual ones do not go with " +
-         (key ? "'" + std::string(key) + "'" : "a primary so stiff and fine") + "\n";
+         (key ? "'" + std::string(key) + "'" : primary) + "\n";
 }
 
 std::string explain_augmentation(const Settings& s) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contacts.hpp"
 
+#include "abut/contact/option_error.hpp"
 #include "abut/contact/passes.hpp"
 #include "abut/mesh/surface.hpp"
 
@@ -52,6 +53,8 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
           mesh.comm, surface(given.primary), surface(given.secondary), given, timers, host);
       result.insert(result.end(), passes.interfaces.begin(), passes.interfaces.end());
       warnings.insert(warnings.end(), passes.warnings.begin(), passes.warnings.end());
+    } catch (const contact::OptionError& e) {
+      throw InputError(where(e.path()) + ": " + e.reason());
     } catch (const InputError& e) {
       throw InputError(where("contact." + given.name) + ": " + e.what());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every automatic choice of an interface, and what does not go together.
+#include "abut/contact/option_error.hpp"
 #include "abut/contact/resolve.hpp"
-#include "abut/core/error.hpp"
 
 #include <cmath>
 #include <functional>
@@ -140,43 +140,66 @@ TEST(Resolve, PenaltyAndLimits) {
 
 struct Refusal {
   std::function<void(ContactOptions&)> change;
-  const char* message;
+  const char *path, *reason;
 };
 
-TEST(Resolve, RefusalsNameTheInterfaceAndTheKeys) {
+TEST(Resolve, RefusalsKnowTheirKeys) {
   const Refusal refusals[] = {
-      {[](auto& o) { o.two_pass = true, o.secondary = "p"; },
-       "contact.pair.two_pass: self-contact of 'p' has points on both sides already"},
-      {[](auto& o) { o.tied = o.tension = true; },
-       "contact.pair.tension: tied points pull already"},
-      {[](auto& o) { o.sticky = true, o.friction = 0.1; },
-       "contact.pair.sticky: does not go with tied, tension or friction"},
+      {[](auto& o) { o.two_pass = true, o.secondary = "p"; }, "contact.pair.two_pass",
+       "expected false: self-contact of 'p' has points on both sides already"},
+      {[](auto& o) { o.tied = o.tension = true; }, "contact.pair.tension",
+       "expected false: tied points pull already"},
+      {[](auto& o) { o.sticky = o.tied = true; }, "contact.pair.sticky",
+       "does not go with 'tied': leave one of them out"},
+      {[](auto& o) { o.sticky = true, o.friction = 0.1; }, "contact.pair.sticky",
+       "does not go with 'friction': leave one of them out"},
       {[](auto& o) { o.multipliers = Multipliers::dual, o.tied = true; },
-       "contact.pair: 'multipliers: dual' does not go with 'tied'"},
-      {[](auto& o) { o.friction_map = FrictionMap::literal; },
-       "contact.pair: this friction_map works along rays: it needs 'formulation: "
-       "sliding_elastic'"},
-      {[](auto& o) { o.max_augmentations = 0; },
-       "contact.pair.max_augmentations: expected a whole number >= 1; for multipliers that change "
-       "once, at the end of each step, give 'uzawa: end_of_step'"},
-      {[](auto& o) { o.min_augmentations = 21; },
-       "contact.pair.min_augmentations: more than max_augmentations, which is 20"},
+       "contact.pair.multipliers",
+       "'dual' does not go with 'tied'; valid here: automatic, smoothed, per_point"},
+      {[](auto& o) { o.friction_map = FrictionMap::literal; }, "contact.pair.friction_map",
+       "'literal' needs the rays of 'formulation: sliding_elastic'; valid here: automatic, "
+       "incremental"},
+      {[](auto& o) { o.max_augmentations = 0; }, "contact.pair.max_augmentations",
+       "expected a whole number >= 1; for multipliers that change once, at the end of each step, "
+       "give 'uzawa: end_of_step'"},
+      {[](auto& o) { o.min_augmentations = 21; }, "contact.pair.min_augmentations",
+       "expected at most max_augmentations, which is 20, got 21"},
   };
-  const auto message = [](const ContactOptions& o, const SideComparison& sides) {
+  const auto expect = [](const ContactOptions& o, const SideComparison& sides,
+                         const std::string& path, const std::string& reason) {
     try {
       resolve(o, sides);
-    } catch (const InputError& error) {
-      return std::string(error.what());
+      ADD_FAILURE() << "taken: " << path << ": " << reason;
+    } catch (const OptionError& error) {
+      EXPECT_EQ(error.path(), path);
+      EXPECT_EQ(error.reason(), reason);
+      EXPECT_EQ(error.what(), path + ": " + reason);
     }
-    return std::string();
   };
   for (const Refusal& refusal : refusals) {
     ContactOptions o = pair();
     refusal.change(o);
-    EXPECT_EQ(message(o, alike()), refusal.message);
+    expect(o, alike(), refusal.path, refusal.reason);
   }
-  EXPECT_EQ(message(pair(), SideComparison()),
-            "contact.pair: both surfaces are rigid: give 'penalty' [pressure/length]");
+  expect(pair(), SideComparison(), "contact.pair",
+         "missing key 'penalty' (both surfaces are rigid: expected a number > 0 "
+         "[pressure/length])");
+}
+
+TEST(Resolve, SaysWhyMultipliersAreNotDual) {
+  const auto why = [](const SideComparison& sides) {
+    const std::string text = explain(augmented(), resolve(augmented(), sides));
+    const std::size_t begin = text.find("multipliers: ");
+    return text.substr(begin, text.find('\n', begin) - begin);
+  };
+  const std::string smoothed = "multipliers: smoothed, automatic: dual ones do not go with ";
+  EXPECT_EQ(why(alike()), "multipliers: dual, automatic");
+  SideComparison sides = stiff_primary(11.0);
+  EXPECT_EQ(why(sides), smoothed + "a primary so stiff");
+  sides.size = 0.5;
+  EXPECT_EQ(why(sides), smoothed + "a primary so stiff and fine");
+  sides.stiffness = 2.0;
+  EXPECT_EQ(why(sides), smoothed + "a primary so stiff and fine");
 }
 
 } // namespace

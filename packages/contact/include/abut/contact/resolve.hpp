@@ -70,7 +70,7 @@ struct Settings {
 };
 
 /// Makes every automatic choice of the options and refuses, in this one place, what does not go
-/// together: throws InputError, naming contact.NAME and the keys. `sides` compares the surfaces in
+/// together: throws OptionError, which knows the key's path. `sides` compares the surfaces in
 /// the order of options.primary and options.secondary; where the automatic side swaps them, the
 /// settings name them the other way round.
 Settings resolve(const ContactOptions& options, const SideComparison& sides);
