@@ -22,6 +22,8 @@ std::string expected_number(const char* noun, const Rule& rule, const Value& got
   std::string s = std::string("expected ") + noun;
   if (!rule.text().empty())
     s += " " + rule.text();
+  if (*rule.word)
+    s += std::string(" or '") + rule.word + "'";
   s += ", got " + got.description();
   if (*rule.reason)
     s += std::string(" (") + rule.reason + ")";

@@ -51,7 +51,9 @@ public:
     x.reset();
     if (!is_word(*value, word)) {
       refuse_zero(*value, path_of(key), key, word, rule);
-      read(*value, path_of(key), x.emplace(), rule);
+      Rule or_word = rule;
+      or_word.word = word;
+      read(*value, path_of(key), x.emplace(), or_word);
     }
   }
 

@@ -17,6 +17,7 @@ struct Rule {
   bool open = false; ///< the ends themselves are excluded
   const char* unit = "";
   const char* reason = ""; ///< why, for the message
+  const char* word = "";   ///< that stands for no number
 
   bool accepts(double x) const { return open ? low < x && x < high : low <= x && x <= high; }
   /// "> 0", ">= 1", "> -1 and < 0.5"; empty when everything goes.

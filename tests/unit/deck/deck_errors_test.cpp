@@ -119,26 +119,32 @@ INSTANTIATE_TEST_SUITE_P(
     Values, DeckErrors,
     testing::Values(
         Case{10, "    penalty_factor: abc",
-             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0, got 'abc'"},
+             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0 or 'automatic', got "
+             "'abc'"},
         Case{10, "    penalty_factor: \"10\"",
-             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0, got the text '10'"},
+             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0 or 'automatic', got "
+             "the text '10'"},
         Case{10, "    penalty_factor: -1",
-             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0, got '-1'"},
+             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0 or 'automatic', got "
+             "'-1'"},
         Case{10, "    penalty_factor: .inf",
-             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0, got '.inf'"},
-        Case{
-            10, "    penalty_factor: [1]",
-            "d.yaml:10: contact.pair.penalty_factor: expected a number > 0, got a list of 1 item"},
+             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0 or 'automatic', got "
+             "'.inf'"},
+        Case{10, "    penalty_factor: [1]",
+             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0 or 'automatic', got a "
+             "list of 1 item"},
         Case{10, "    penalty_factor:",
-             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0, got nothing"},
+             "d.yaml:10: contact.pair.penalty_factor: expected a number > 0 or 'automatic', got "
+             "nothing"},
         Case{10, "    enforcement: penaltyy",
              "d.yaml:10: contact.pair.enforcement: unknown value 'penaltyy'; valid: penalty, "
              "augmented_lagrangian; did you mean 'penalty'?"},
         Case{10, "    enforcement: [penalty]",
              "d.yaml:10: contact.pair.enforcement: expected one word, got a list of 1 item; valid: "
              "penalty, augmented_lagrangian"},
-        Case{10, "    min_augmentations: 30",
-             "d.yaml:10: contact.pair.min_augmentations: more than max_augmentations, which is 20"},
+        Case{10, "    points: automatc",
+             "d.yaml:10: contact.pair.points: expected a whole number >= 1 and <= 6 or "
+             "'automatic', got 'automatc'"},
         Case{8, "    primary: \"\"",
              "d.yaml:8: contact.pair.primary: expected a text, got an empty one"},
         Case{11, "time: {steps: 1.5}",
