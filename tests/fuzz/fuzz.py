@@ -37,7 +37,8 @@ NUMBERS = ["nan", "inf", "-inf", "1e308", "-1e308", "1e400", "1e-320", "0", "-0"
            "null", "~", "[]", "{}", "0,0,0", "1:1000000000", "5:1", "1:9:0", "a"]
 WORDS = ["", " ", "a", "a" * 70000, "name with spaces", "\u00e4\u4e2d\U0001f600", "%s%n%d", "../../x", "/dev/zero",
          "@surface:", "@elem_set:all", "@nothing:x", "*", "&a", "<", "]]>", "'", '"', "\\", "\n", "\t", "#", ":",
-         "- ", "|", "!!binary x", "y", "off", "AUGLAG", "sliding-elastic", "hex8", "tet10", "rigid body", "0", "-1"]
+         "- ", "|", "!!binary x", "y", "off", "AUGLAG", "sliding-elastic", "hex8", "tet10", "rigid body", "0", "-1",
+         "automatic", "unlimited", "none", "end", "end_of_step", "dual", "inclined_ray", "as_given"]
 BYTES = [b"\xff", b"\xc3", b"\xed\xa0\x80", b"\x00", b"\xf0\x9f", b"\xef\xbb\xbf", b"\x1b", b"\r", b"\xfe\xff"]
 
 
