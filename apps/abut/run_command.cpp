@@ -2,14 +2,12 @@
 #include "run_command.hpp"
 
 #include "augmentation.hpp"
-#include "points_file.hpp"
-#include "progress.hpp"
+#include "recorder.hpp"
 #include "summary.hpp"
 #include "verify.hpp"
 
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
-#include "abut/scene/results.hpp"
 #include "abut/scene/start_motion.hpp"
 #include "abut/scene/supports.hpp"
 #include "abut/scene/tangent_check.hpp"
@@ -18,9 +16,10 @@
 #include "abut/solver/linear_solver.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
-#include <optional>
+#include <utility>
 
 namespace abut::app {
 
@@ -76,6 +75,79 @@ std::string changes_at(const Model& m, double t) {
                             ". What is let go must be held by something else, or balance itself";
 }
 
+void announce(const Model& m, Progress& progress) {
+  progress.line(fmt::format("{}: {} nodes, {} elements, {} unknowns on {} rank{}",
+                            m.deck.title.empty() ? m.deck.file : m.deck.title, m.mesh->num_nodes,
+                            m.mesh->num_elements, m.equations->dofs().num_global_rows() * 3,
+                            m.comm.size(), m.comm.size() > 1 ? "s" : ""));
+  for (const std::string& warning : m.warnings)
+    progress.line("warning: " + warning);
+}
+
+/// Evaluates the equations at the start and refuses bodies that nothing holds.
+void prepare(const Model& m, solver::AssembledSystem& system, const Vector& x) {
+  Vector f(x.getMap());
+  m.comm.together([&] { system.residual(x, f); });
+  if (!m.deck.dynamics.active) // else inertia holds
+    scene::require_supports(m.deck, m, [&](const std::string& key) { return m.deck.where(key); });
+}
+
+/// What follows a solve that Newton has brought to its end; empty: nothing.
+solver::AugmentCallback after_solve(Model& m, const contact::AugmentationPolicy& policy,
+                                    Progress& progress) {
+  auto augment = make_augmentation(
+      policy, [&](int n, const auto& report) { progress.augmentation(n, report); },
+      [&](const std::string& text) { progress.line("  warning: " + text); });
+  if (m.deck.check == deck::ModelCheck::tangent)
+    augment = scene::with_tangent_check(m, std::move(augment),
+                                        [&](const std::string& text) { progress.line(text); });
+  return augment;
+}
+
+/// Raises the load; x and the equations are then those of the last converged step.
+solver::LoadResult solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& linear,
+                         Vector& x, Progress& progress, Recorder& recorder) {
+  const contact::AugmentationPolicy policy(m.contacts);
+  solver::NewtonOptions options = m.deck.newton;
+  options.inexact = options.inexact && policy.allows_loose_solves();
+  solver::NewtonSolver newton(linear, options, m.deck.linear.tolerance);
+  solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
+  solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
+  const solver::LoadResult result = stepping.run(
+      system, x, [&](const auto& report, const Vector& at) { recorder.step(report, at); },
+      [&](const auto& report) { progress.iteration(report); });
+  if (!result.converged) {
+    Vector f(x.getMap());
+    system.set_time(result.t);
+    system.residual(x, f);
+  }
+  return result;
+}
+
+/// Verdicts and summary. Verdicts of a run that stopped have failed, for they speak of its end.
+void conclude(const Model& m, const scene::State& state, const RunFacts& facts,
+              const std::string& summary, Progress& progress) {
+  auto verdicts = verify(m, state);
+  if (facts.converged)
+    print_verdicts(progress, verdicts);
+  else
+    for (Verdict& v : verdicts)
+      v.ok = false;
+  write_summary(m, state, facts, verdicts, summary);
+}
+
+void say_how_it_ended(const Model& m, const solver::LoadResult& result, double seconds,
+                      const std::string& file, Progress& progress) {
+  if (result.converged)
+    progress.line(fmt::format("converged: {} steps, {} Newton iterations, {:.2f} s; results in {}",
+                              result.counters.steps, result.counters.newton_iterations, seconds,
+                              file));
+  else if (m.comm.is_root())
+    fmt::print(stderr,
+               "abut: stopped at t = {:.6g} of {:.6g}: {}{}\nEverything up to there is in {}\n",
+               result.t, m.deck.time.end, result.reason, changes_at(m, result.t), file);
+}
+
 int run(const RunOptions& options) {
   const Comm comm(MPI_COMM_WORLD);
   const auto start = std::chrono::steady_clock::now();
@@ -86,101 +158,24 @@ int run(const RunOptions& options) {
   protect_mesh(m, stem);
   Progress progress(comm.is_root(), options.quiet, comm.size() > 1, m.deck.time.end);
 
-  const auto map = m.equations->dofs().map();
-  Vector x(map), f(map);
+  Vector x(m.equations->dofs().map());
   solver::AssembledSystem system(*m.equations);
-  comm.together([&] { system.residual(x, f); });
-  if (!m.deck.dynamics.active) // else inertia holds
-    scene::require_supports(m.deck, m, [&](const std::string& key) { return m.deck.where(key); });
+  prepare(m, system, x);
   const auto linear =
       solver::make_linear_solver(m.deck.linear, system, progress.sink(), m.timers.get());
-  progress.line(fmt::format("{}: {} nodes, {} elements, {} unknowns on {} rank{}",
-                            m.deck.title.empty() ? m.deck.file : m.deck.title, m.mesh->num_nodes,
-                            m.mesh->num_elements, m.equations->dofs().num_global_rows() * 3,
-                            comm.size(), comm.size() > 1 ? "s" : ""));
-
-  for (const std::string& warning : m.warnings)
-    progress.line("warning: " + warning);
+  announce(m, progress);
   if (m.deck.dynamics.active)
     scene::start_motion(m.deck, m, *linear, x);
-  scene::State state = scene::make_state(m, x, 0.0, {});
-  const double kinetic_at_start = state.energy.kinetic_at_start = state.energy.kinetic;
-  io::ResultWriter writer(stem, *m.mesh, scene::result_names(m), m.deck.output.files);
-  std::optional<PointsFile> points;
-  if (m.deck.output.points)
-    points.emplace(m, stem);
-  long long augmentations = 0; // of the last step
-  const auto write = [&] {
-    const PhaseTimers::Scope scope(*m.timers, Phase::output);
-    writer.write_step(scene::result_step(m, state));
-    if (points)
-      points->write(state.time, augmentations);
-  };
-  write();
-  double written = 0.0;
+  Recorder recorder(m, stem, progress, x);
+  const solver::LoadResult result = solve(m, system, *linear, x, progress, recorder);
+  recorder.finish(result.counters);
 
-  const contact::AugmentationPolicy policy(m.contacts);
-  solver::NewtonOptions newton_options = m.deck.newton;
-  newton_options.inexact = newton_options.inexact && policy.allows_loose_solves();
-  solver::NewtonSolver newton(*linear, newton_options, m.deck.linear.tolerance);
-  auto augment = make_augmentation(
-      policy, [&](int n, const auto& report) { progress.augmentation(n, report); },
-      [&](const std::string& text) { progress.line("  warning: " + text); });
-  if (m.deck.check == deck::ModelCheck::tangent)
-    augment = scene::with_tangent_check(m, std::move(augment),
-                                        [&](const std::string& text) { progress.line(text); });
-  solver::AugmentedLagrangian loop(newton, std::move(augment));
-  solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
-  solver::Counters counters;
-  const auto on_step = [&](const solver::StepReport& report, const Vector& at) {
-    ++counters.steps;
-    counters.newton_iterations += report.iterations;
-    counters.augmentations += report.augmentations;
-    counters.cut_backs += report.cuts;
-    state = scene::make_state(m, at, report.t, counters);
-    state.energy.kinetic_at_start = kinetic_at_start;
-    augmentations = report.augmentations;
-    Global active = 0;
-    double ratio = 0.0;
-    for (const auto& c : state.contacts) {
-      active += c.active_points;
-      ratio = std::max(ratio, c.max_penetration_over_face_size);
-    }
-    progress.step(report, active, ratio);
-    if (report.step % m.deck.output.every != 0)
-      return;
-    write();
-    written = report.t;
-  };
-  const solver::LoadResult result =
-      stepping.run(system, x, on_step, [&](const auto& report) { progress.iteration(report); });
-  state.counters = result.counters;
-  if (!result.converged) { // what is written below is the state of the last converged step
-    system.set_time(result.t);
-    system.residual(x, f);
-  }
-  if (state.time > written)
-    write();
-
-  auto verdicts = verify(m, state);
-  if (result.converged)
-    print_verdicts(progress, verdicts);
-  else // they speak of the end of the run
-    for (Verdict& v : verdicts)
-      v.ok = false;
   RunFacts facts;
   facts.converged = result.converged;
   facts.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_summary(m, state, facts, verdicts, options.summary);
-  if (result.converged)
-    progress.line(fmt::format("converged: {} steps, {} Newton iterations, {:.2f} s; results in {}",
-                              result.counters.steps, result.counters.newton_iterations,
-                              facts.wall_seconds, writer.path()));
-  else if (comm.is_root())
-    fmt::print(stderr,
-               "abut: stopped at t = {:.6g} of {:.6g}: {}{}\nEverything up to there is in {}\n",
-               result.t, m.deck.time.end, result.reason, changes_at(m, result.t), writer.path());
+  conclude(m, recorder.state(), facts, options.summary, progress);
+  say_how_it_ended(m, result, facts.wall_seconds, recorder.path(), progress);
   return result.converged ? 0 : 1;
 }
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recorder.hpp"
+
+#include "abut/scene/results.hpp"
+
+#include <algorithm>
+
+namespace abut::app {
+
+Recorder::Recorder(const Model& model, const std::string& stem, Progress& progress, const Vector& x)
+    : model_(model), progress_(progress), state_(scene::make_state(model, x, 0.0, {})),
+      writer_(stem, *model.mesh, scene::result_names(model), model.deck.output.files) {
+  state_.energy.kinetic_at_start = state_.energy.kinetic;
+  if (model.deck.output.points)
+    points_.emplace(model, stem);
+  write();
+}
+
+void Recorder::step(const solver::StepReport& report, const Vector& x) {
+  ++counters_.steps;
+  counters_.newton_iterations += report.iterations;
+  counters_.augmentations += report.augmentations;
+  counters_.cut_backs += report.cuts;
+  augmentations_ = report.augmentations;
+  const double kinetic_at_start = state_.energy.kinetic_at_start;
+  state_ = scene::make_state(model_, x, report.t, counters_);
+  state_.energy.kinetic_at_start = kinetic_at_start;
+  Global active = 0;
+  double ratio = 0.0;
+  for (const auto& c : state_.contacts) {
+    active += c.active_points;
+    ratio = std::max(ratio, c.max_penetration_over_face_size);
+  }
+  progress_.step(report, active, ratio);
+  if (report.step % model_.deck.output.every == 0)
+    write();
+}
+
+void Recorder::finish(const solver::Counters& spent) {
+  state_.counters = spent;
+  if (state_.time > written_)
+    write();
+}
+
+void Recorder::write() {
+  const PhaseTimers::Scope scope(*model_.timers, Phase::output);
+  writer_.write_step(scene::result_step(model_, state_));
+  if (points_)
+    points_->write(state_.time, augmentations_);
+  written_ = state_.time;
+}
+
+} // namespace abut::app

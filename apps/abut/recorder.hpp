@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "points_file.hpp"
+#include "progress.hpp"
+
+#include "abut/io/result_writer.hpp"
+#include "abut/scene/state.hpp"
+
+#include <optional>
+#include <string>
+
+namespace abut::app {
+
+/// Follows a run: keeps its last converged state, writes states to the files of the results and
+/// tells the user of each step. Model and progress must outlive it. Every member is collective, and
+/// wants the equations evaluated at the x it speaks of.
+class Recorder {
+public:
+  /// Starts the files, `stem` being their path without extension, with the state at t = 0. Throws
+  /// InputError when they cannot be written.
+  Recorder(const Model& model, const std::string& stem, Progress& progress, const Vector& x);
+
+  void step(const solver::StepReport& report, const Vector& x);
+  /// Writes the last converged state, where it has not been.
+  void finish(const solver::Counters& spent);
+
+  const scene::State& state() const { return state_; }
+  const std::string& path() const { return writer_.path(); }
+
+private:
+  void write();
+
+  const Model& model_;
+  Progress& progress_;
+  scene::State state_;
+  io::ResultWriter writer_;
+  std::optional<PointsFile> points_;
+  solver::Counters counters_;   ///< of the converged steps
+  long long augmentations_ = 0; ///< of the last one
+  double written_ = 0.0;        ///< t
+};
+
+} // namespace abut::app
