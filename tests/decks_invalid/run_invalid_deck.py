@@ -5,7 +5,7 @@
 
 The program must end with status 2, say what REGEX asks for, say it once however many ranks run, and
 leave no results.
-usage: run_invalid_deck.py [--seconds N] DECK -- PROGRAM...   (PROGRAM: [mpiexec ...] abut)
+usage: run_invalid_deck.py [--seconds N] [--check-only] DECK -- PROGRAM...   (PROGRAM: [mpiexec ...] abut)
 """
 import argparse
 import os
@@ -40,13 +40,15 @@ def faults(status, output, regex, seconds):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--check-only", action="store_true")
     parser.add_argument("deck")
     parser.add_argument("program", nargs="+")
     arguments = parser.parse_args()
     regex = expectation(arguments.deck)
     wrong = 0
     with tempfile.TemporaryDirectory(prefix="abut_invalid_") as folder:
-        for command in (["check"], ["run", "--output-dir", folder]):
+        commands = [["check"], ["run", "--output-dir", folder]]
+        for command in commands[:1] if arguments.check_only else commands:
             status, output = process.execute(
                 arguments.program + command + [arguments.deck], arguments.seconds)
             found = list(faults(status, output, regex, arguments.seconds))
