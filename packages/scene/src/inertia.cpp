@@ -51,8 +51,7 @@ make_inertia(const Options& options, const mesh::Mesh& mesh, const std::vector<i
     if (!body.rigid)
       blocks.push_back({static_cast<int>(b), density_of(options, body)});
   }
-  return std::make_shared<solid::InertiaContribution>(mesh, blocks, options.dynamics.rule(),
-                                                      std::move(lead));
+  return std::make_shared<solid::InertiaContribution>(mesh, blocks, options.dynamics.rule(), lead);
 }
 
 } // namespace abut::scene

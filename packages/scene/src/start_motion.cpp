@@ -101,7 +101,7 @@ void start_motion(const Options& options, Scene& s, solver::LinearSolver& linear
   const std::vector<double> made = equations.nodal_rates(acceleration);
   for (std::size_t i = 0; i < made.size(); ++i)
     rates.acceleration[i] += made[i];
-  nodes.set_acceleration(std::move(rates.acceleration));
+  nodes.set_acceleration(rates.acceleration);
   equations.accelerate(x, acceleration);
 }
 

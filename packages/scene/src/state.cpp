@@ -29,10 +29,14 @@ Energy energy(const Scene& m, const State& s) {
   return e;
 }
 
+std::vector<double> values_of(const View<const double>& view) {
+  return {view.data(), view.data() + view.extent(0)};
+}
+
 /// Motion and momentum of all bodies.
 void add_motion(const Scene& m, const NodalFields& fields, State& s) {
-  s.velocity = m.inertia->motion().velocity();
-  s.acceleration = m.inertia->motion().acceleration();
+  s.velocity = values_of(m.inertia->motion().velocity());
+  s.acceleration = values_of(m.inertia->motion().acceleration());
   s.rigid_motions = m.equations->bodies().motions();
   const solid::Momentum mine = m.inertia->momentum(fields);
   double sums[7] = {mine.kinetic_energy};
@@ -66,10 +70,9 @@ State make_state(const Scene& m, const Vector& x, double time, const solver::Cou
   s.rigid_bodies = m.equations->body_states();
   s.joints = m.equations->joints().states();
   const NodalFields fields{s.u.data(), 3, s.time};
-  for (std::size_t b = 0; b < m.mesh->blocks.size(); ++b)
-    s.elements.push_back(
-        m.material[b] ? solid::element_fields(*m.mesh, static_cast<int>(b), *m.material[b], fields)
-                      : solid::ElementFields());
+  s.elements.resize(m.mesh->blocks.size());
+  for (const auto& solid : m.solids)
+    s.elements[std::size_t(solid->block())] = solid->element_fields(fields);
   s.energy = energy(m, s);
   if (m.inertia)
     add_motion(m, fields, s);

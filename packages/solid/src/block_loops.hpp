@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/core/contribution.hpp"
+#include "abut/core/scatter.hpp"
 #include "abut/fem/cell.hpp"
-#include "abut/mesh/mesh.hpp"
+#include "abut/solid/cell_arrays.hpp"
 #include "abut/solid/material.hpp"
+
+#include <memory>
 
 namespace abut::solid {
 
-constexpr int solid_dim = 3;
-
-/// The element with the smallest det F of a loop.
+/// The element with the smallest det F of a loop; -1 and 1 when there is none below 1.
 struct Smallest {
   double det = 1.0;
   Local element = -1;
 };
 
-/// Loops over a block's elements: gather, evaluate, integrate, scatter. One instantiation per cell
-/// type, each in a source file of its own; the material is picked once per loop.
-template <fem::CellType C> struct BlockLoops {
-  static Smallest residual(const mesh::Mesh& mesh, const mesh::Block& block,
-                           const Material& material, const NodalFields& fields,
-                           const ResidualScatter& scatter);
-  static Smallest tangent(const mesh::Mesh& mesh, const mesh::Block& block,
-                          const Material& material, const NodalFields& fields,
-                          const TangentScatter& scatter);
+/// Loops over a block's elements. What they read lies in views made once; cell type and material
+/// are picked then, so that a loop knows both as types.
+class BlockLoops {
+public:
+  virtual ~BlockLoops() = default;
+  virtual Smallest residual(const NodalFields& fields, const ResidualScatter& scatter) const = 0;
+  virtual Smallest tangent(const NodalFields& fields, const TangentScatter& scatter) const = 0;
   /// stress: (elements, 6); energy: (elements)
-  static void averages(const mesh::Mesh& mesh, const mesh::Block& block, const Material& material,
-                       const NodalFields& fields, double* stress, double* energy);
+  virtual void averages(const NodalFields& fields, const View<double>& stress,
+                        const View<double>& energy) const = 0;
 };
+
+/// Instantiated for each cell type in a source file of its own.
+template <fem::CellType C>
+std::unique_ptr<BlockLoops> make_block_loops(const CellArrays& cells, const Material& material);
 
 } // namespace abut::solid

@@ -2,52 +2,14 @@
 #pragma once
 
 #include "block_loops.hpp"
-
-#include "abut/core/error.hpp"
-#include "abut/solid/element_kernel.hpp"
-
-#include <Kokkos_Core.hpp>
-#include <cmath>
-#include <limits>
+#include "kernels/elements.hpp"
 
 namespace abut::solid {
 
-constexpr int max_fields = 8;
-using Host = Kokkos::RangePolicy<Kokkos::DefaultHostExecutionSpace, Kokkos::IndexType<Local>>;
-
-/// Reference coordinates and displacements of one element.
-template <int n> struct ElementInput {
-  double x[3][n], u[3][n];
-
-  KOKKOS_INLINE_FUNCTION void gather(const Local* nodes, const double* coordinates,
-                                     const NodalFields& fields) {
-    for (int a = 0; a < n; ++a) {
-      const double* from = coordinates + static_cast<std::int64_t>(nodes[a]) * solid_dim;
-      const double* by = fields.u + static_cast<std::int64_t>(nodes[a]) * fields.fields;
-      for (int i = 0; i < 3; ++i) {
-        x[i][a] = from[i];
-        u[i][a] = by[i];
-      }
-    }
-  }
-};
-
-/// Runs body(element) -> det F over the elements and keeps the smallest.
-template <class Body> Smallest smallest_over(Local elements, const Body& body) {
-  using Reducer = Kokkos::MinLoc<double, Local, Kokkos::HostSpace>;
-  typename Reducer::value_type result;
-  Reducer reducer(result);
-  reducer.init(result);
-  Kokkos::parallel_reduce(
-      "abut::solid", Host(0, elements),
-      [&body](const Local e, typename Reducer::value_type& least) {
-        const double det = body(e);
-        if (!(det >= least.val)) { // also when not a number
-          least.val = std::isnan(det) ? -std::numeric_limits<double>::infinity() : det;
-          least.loc = e;
-        }
-      },
-      reducer);
+template <class Functor>
+Smallest smallest_over(const char* label, Local elements, const Functor& functor) {
+  SmallestDet::value_type result;
+  Kokkos::parallel_reduce(label, Range(0, elements), functor, SmallestDet(result));
   Smallest smallest;
   if (elements > 0 && result.val < smallest.det) {
     smallest.det = result.val;
@@ -56,80 +18,35 @@ template <class Body> Smallest smallest_over(Local elements, const Body& body) {
   return smallest;
 }
 
-template <fem::CellType C>
-Smallest BlockLoops<C>::residual(const mesh::Mesh& mesh, const mesh::Block& block,
-                                 const Material& material, const NodalFields& fields,
-                                 const ResidualScatter& scatter) {
-  constexpr int n = ReferenceCell<C>::nodes;
-  ABUT_REQUIRE(fields.fields >= solid_dim && fields.fields <= max_fields, "fields per node");
-  const ReferenceCell<C>& cell = reference_cell<C>();
-  const double* x = mesh.x.data();
-  const Local* nodes = block.nodes.data();
-  return std::visit(
-      [&](const auto& m) {
-        return smallest_over(block.size(), [&](const Local e) {
-          ElementInput<n> in;
-          double r[3][n], out[n * max_fields];
-          in.gather(nodes + static_cast<std::int64_t>(e) * n, x, fields);
-          const double det = element_residual<C>(cell, m, in.x, in.u, r);
-          for (int a = 0; a < n; ++a) {
-            double* at = out + a * fields.fields;
-            for (int i = 0; i < 3; ++i)
-              at[i] = r[i][a];
-            for (int i = 3; i < fields.fields; ++i)
-              at[i] = 0.0;
-          }
-          scatter.add(e, out);
-          return det;
-        });
-      },
-      material);
-}
+template <fem::CellType C, class M> class TypedLoops : public BlockLoops {
+public:
+  TypedLoops(const CellArrays& cells, const M& material)
+      : elements_{cells, make_view("abut::solid::reference_cell", 1, reference_cell<C>()),
+                  material} {}
+
+  Smallest residual(const NodalFields& fields, const ResidualScatter& scatter) const override {
+    return smallest_over("abut::solid::residual", elements_.cells.size(),
+                         ElementResidual<C, M>{elements_, fields, scatter});
+  }
+  Smallest tangent(const NodalFields& fields, const TangentScatter& scatter) const override {
+    return smallest_over("abut::solid::tangent", elements_.cells.size(),
+                         ElementTangent<C, M>{elements_, fields, scatter});
+  }
+  void averages(const NodalFields& fields, const View<double>& stress,
+                const View<double>& energy) const override {
+    Kokkos::parallel_for("abut::solid::averages", Range(0, elements_.cells.size()),
+                         ElementAverages<C, M>{elements_, fields, stress, energy});
+  }
+
+private:
+  Elements<C, M> elements_;
+};
 
 template <fem::CellType C>
-Smallest BlockLoops<C>::tangent(const mesh::Mesh& mesh, const mesh::Block& block,
-                                const Material& material, const NodalFields& fields,
-                                const TangentScatter& scatter) {
-  constexpr int n = ReferenceCell<C>::nodes;
-  ABUT_REQUIRE(fields.fields >= solid_dim, "fields per node");
-  const ReferenceCell<C>& cell = reference_cell<C>();
-  const double* x = mesh.x.data();
-  const Local* nodes = block.nodes.data();
-  // With three fields the scatter adds the displacement part of each node block; positions and row
-  // lengths know the true number of fields.
-  TangentScatter displacement = scatter;
-  displacement.fields = solid_dim;
+std::unique_ptr<BlockLoops> make_block_loops(const CellArrays& cells, const Material& material) {
   return std::visit(
-      [&](const auto& m) {
-        return smallest_over(block.size(), [&](const Local e) {
-          ElementInput<n> in;
-          double k[9 * n * n];
-          in.gather(nodes + static_cast<std::int64_t>(e) * n, x, fields);
-          const double det = element_tangent<C>(cell, m, in.x, in.u, k);
-          if (det > 0.0)
-            displacement.add(e, k);
-          return det;
-        });
-      },
-      material);
-}
-
-template <fem::CellType C>
-void BlockLoops<C>::averages(const mesh::Mesh& mesh, const mesh::Block& block,
-                             const Material& material, const NodalFields& fields, double* stress,
-                             double* energy) {
-  constexpr int n = ReferenceCell<C>::nodes;
-  const ReferenceCell<C>& cell = reference_cell<C>();
-  const double* x = mesh.x.data();
-  const Local* nodes = block.nodes.data();
-  std::visit(
-      [&](const auto& m) {
-        Kokkos::parallel_for("abut::solid::averages", Host(0, block.size()), [&](const Local e) {
-          ElementInput<n> in;
-          in.gather(nodes + static_cast<std::int64_t>(e) * n, x, fields);
-          element_averages<C>(cell, m, in.x, in.u, stress + static_cast<std::int64_t>(e) * 6,
-                              energy[e]);
-        });
+      [&](const auto& m) -> std::unique_ptr<BlockLoops> {
+        return std::make_unique<TypedLoops<C, std::decay_t<decltype(m)>>>(cells, m);
       },
       material);
 }

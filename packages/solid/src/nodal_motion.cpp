@@ -2,60 +2,70 @@
 #include "abut/solid/nodal_motion.hpp"
 
 #include "abut/core/error.hpp"
+#include "kernels/motion.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace abut::solid {
+namespace {
 
-NodalMotion::NodalMotion(const TimeIntegration& rule, std::vector<Lead> lead)
-    : rule_(rule), lead_(std::move(lead)) {
-  start(0.0, std::vector<double>(size(), 0.0), std::vector<double>(size(), 0.0));
+MotionState make_state(std::size_t n) {
+  return {make_view<double>("abut::solid::displacement", n),
+          make_view<double>("abut::solid::velocity", n),
+          make_view<double>("abut::solid::acceleration", n)};
 }
 
-void NodalMotion::start(double t, std::vector<double> u, std::vector<double> velocity) {
+void copy(const MotionState& to, const MotionState& from) {
+  Kokkos::deep_copy(to.u, from.u);
+  Kokkos::deep_copy(to.velocity, from.velocity);
+  Kokkos::deep_copy(to.acceleration, from.acceleration);
+}
+
+} // namespace
+
+NodalMotion::NodalMotion(const TimeIntegration& rule, const std::vector<Lead>& lead)
+    : rule_(rule), slopes_{make_view("abut::solid::lead", lead)}, last_(make_state(size())),
+      trial_(make_state(size())),
+      u_before_(make_view<double>("abut::solid::displacement_before", size())),
+      velocity_before_(make_view<double>("abut::solid::velocity_before", size())) {}
+
+void NodalMotion::start(double t, const std::vector<double>& u,
+                        const std::vector<double>& velocity) {
   ABUT_REQUIRE(u.size() == size() && velocity.size() == size(), "one number for each");
   time_ = trial_time_ = t;
   before_ = 0.0;
-  free_slope_ = led_slope_ = 1.0;
-  u_ = trial_u_ = std::move(u);
-  velocity_ = trial_velocity_ = std::move(velocity);
-  acceleration_.assign(size(), 0.0);
-  trial_acceleration_ = acceleration_;
-  u_before_ = u_;
-  velocity_before_ = velocity_;
+  slopes_.free = slopes_.led = 1.0;
+  std::copy(u.begin(), u.end(), last_.u.data());
+  std::copy(velocity.begin(), velocity.end(), last_.velocity.data());
+  Kokkos::deep_copy(last_.acceleration, 0.0);
+  copy(trial_, last_);
+  Kokkos::deep_copy(u_before_, last_.u);
+  Kokkos::deep_copy(velocity_before_, last_.velocity);
 }
 
-void NodalMotion::set_acceleration(std::vector<double> acceleration) {
+void NodalMotion::set_acceleration(const std::vector<double>& acceleration) {
   ABUT_REQUIRE(acceleration.size() == size(), "one number for each");
-  acceleration_ = trial_acceleration_ = std::move(acceleration);
+  std::copy(acceleration.begin(), acceleration.end(), last_.acceleration.data());
+  Kokkos::deep_copy(trial_.acceleration, last_.acceleration);
 }
 
 void NodalMotion::move(double t, const double* u) {
   const double dt = t - time_;
   trial_time_ = t;
-  trial_u_.assign(u, u + size());
+  std::copy_n(u, size(), trial_.u.data());
   if (!(dt > 0.0)) {
-    trial_velocity_ = velocity_;
-    trial_acceleration_ = acceleration_;
-    free_slope_ = led_slope_ = 1.0;
+    Kokkos::deep_copy(trial_.velocity, last_.velocity);
+    Kokkos::deep_copy(trial_.acceleration, last_.acceleration);
+    slopes_.free = slopes_.led = 1.0;
     return;
   }
-  free_slope_ = rule_.acceleration_slope(dt);
-  const double before = before_ > 0.0 ? before_ : dt;
-  const double led_rate = backward_slope_slope(dt, before);
-  led_slope_ = led_rate * led_rate;
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (lead_[i] == Lead::free) {
-      const Rates r = rule_.newmark(dt, u[i] - u_[i], {velocity_[i], acceleration_[i]});
-      trial_velocity_[i] = r.velocity;
-      trial_acceleration_[i] = r.acceleration;
-      continue;
-    }
-    const bool first = before_ == 0.0; // the history that a uniform acceleration would have left
-    const double u0 =
-        first ? u_[i] - dt * velocity_[i] + 0.5 * dt * dt * acceleration_[i] : u_before_[i];
-    const double v0 = first ? velocity_[i] - dt * acceleration_[i] : velocity_before_[i];
-    trial_velocity_[i] = backward_slope(dt, before, u[i], u_[i], u0);
-    trial_acceleration_[i] = backward_slope(dt, before, trial_velocity_[i], velocity_[i], v0);
-  }
+  slopes_.free = rule_.acceleration_slope(dt);
+  const double led_rate = backward_slope_slope(dt, before_ > 0.0 ? before_ : dt);
+  slopes_.led = led_rate * led_rate;
+  Kokkos::parallel_for(
+      "abut::solid::trial_rates", Range(0, size()),
+      TrialRates{rule_, dt, before_, slopes_.lead, last_, u_before_, velocity_before_, trial_});
 }
 
 void NodalMotion::accept() {
@@ -63,11 +73,9 @@ void NodalMotion::accept() {
     return;
   before_ = trial_time_ - time_;
   time_ = trial_time_;
-  u_before_.swap(u_);
-  velocity_before_.swap(velocity_);
-  u_ = trial_u_;
-  velocity_ = trial_velocity_;
-  acceleration_ = trial_acceleration_;
+  std::swap(u_before_, last_.u);
+  std::swap(velocity_before_, last_.velocity);
+  copy(last_, trial_);
 }
 
 } // namespace abut::solid

@@ -4,6 +4,7 @@
 #include "abut/core/error.hpp"
 #include "abut/fem/cell_shape.hpp"
 #include "block_loops.hpp"
+#include "cell_list.hpp"
 
 #include <sstream>
 
@@ -24,33 +25,39 @@ void require_upright(const mesh::Block& block, const Smallest& smallest) {
 
 SolidContribution::SolidContribution(const mesh::Mesh& mesh, int block, const Material& material)
     : mesh_(mesh), block_(block), material_(material) {
-  ABUT_REQUIRE(mesh.dim == solid_dim, "solids are three-dimensional");
+  ABUT_REQUIRE(mesh.dim == 3, "solids are three-dimensional");
   ABUT_REQUIRE(block >= 0 && block < static_cast<int>(mesh.blocks.size()), "no such block");
-  const mesh::Block& b = mesh.blocks[block];
-  const int n = fem::info(b.type).nodes;
-  connectivity_.offsets.reserve(b.size() + 1);
-  connectivity_.nodes.reserve(b.nodes.size());
-  for (Local e = 0; e < b.size(); ++e) {
-    for (int a = 0; a < n; ++a)
-      connectivity_.nodes.push_back(mesh.node[b.nodes[static_cast<std::size_t>(e) * n + a]]);
-    connectivity_.offsets.push_back(static_cast<Local>(connectivity_.nodes.size()));
-  }
+  CellList cells(mesh);
+  cells.add(mesh.blocks[block]);
+  connectivity_ = cells.connectivity();
+  loops_ = fem::dispatch_cell(mesh.blocks[block].type, [&](auto shape) {
+    return make_block_loops<decltype(shape)::type>(cells.arrays(), material);
+  });
 }
 
+SolidContribution::~SolidContribution() = default;
+
 void SolidContribution::residual(const NodalFields& fields, const ResidualScatter& scatter) {
-  const mesh::Block& block = mesh_.blocks[block_];
-  fem::dispatch_cell(block.type, [&](auto shape) {
-    using Loops = BlockLoops<decltype(shape)::type>;
-    require_upright(block, Loops::residual(mesh_, block, material_, fields, scatter));
-  });
+  ABUT_REQUIRE(fields.fields >= 3, "fields per node");
+  require_upright(mesh_.blocks[block_], loops_->residual(fields, scatter));
 }
 
 void SolidContribution::tangent(const NodalFields& fields, const TangentScatter& scatter) {
-  const mesh::Block& block = mesh_.blocks[block_];
-  fem::dispatch_cell(block.type, [&](auto shape) {
-    using Loops = BlockLoops<decltype(shape)::type>;
-    require_upright(block, Loops::tangent(mesh_, block, material_, fields, scatter));
-  });
+  ABUT_REQUIRE(fields.fields >= 3, "fields per node");
+  require_upright(mesh_.blocks[block_], loops_->tangent(fields, scatter));
+}
+
+ElementFields SolidContribution::element_fields(const NodalFields& fields) const {
+  const auto n = static_cast<std::size_t>(connectivity_.cells());
+  const View<double> stress("abut::solid::stress", voigt_size * n),
+      energy("abut::solid::energy", n);
+  loops_->averages(fields, stress, energy);
+  ElementFields out;
+  out.stress.assign(stress.data(), stress.data() + stress.extent(0));
+  out.energy.assign(energy.data(), energy.data() + n);
+  for (std::size_t e = 0; e < n; ++e)
+    out.von_mises.push_back(von_mises(out.stress.data() + e * voigt_size));
+  return out;
 }
 
 } // namespace abut::solid

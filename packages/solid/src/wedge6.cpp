@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "block_loops_impl.hpp"
 
-template struct abut::solid::BlockLoops<abut::fem::CellType::wedge6>;
+namespace abut::solid {
+
+template std::unique_ptr<BlockLoops> make_block_loops<fem::CellType::wedge6>(const CellArrays&,
+                                                                             const Material&);
+
+} // namespace abut::solid

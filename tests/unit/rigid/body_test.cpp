@@ -208,7 +208,11 @@ TEST(RigidBody, MassAndRejectedSteps) {
   Vector before(x.getMap()), between(x.getMap()), after(x.getMap());
   scene.system->set_time(0.5);
   scene.system->residual(x, before);
-  const std::vector<double> a = inertia->motion().acceleration();
+  const auto acceleration = [&] {
+    const View<const double> a = inertia->motion().acceleration();
+    return std::vector<double>(a.data(), a.data() + a.extent(0));
+  };
+  const std::vector<double> a = acceleration();
   scene.system->set_time(0.25); // a step that is cut
   scene.system->residual(x, between);
   EXPECT_GT(difference(before, between), 1.0);
@@ -216,10 +220,10 @@ TEST(RigidBody, MassAndRejectedSteps) {
   scene.system->set_time(0.5);
   scene.system->residual(x, after);
   EXPECT_EQ(difference(before, after), 0.0);
-  EXPECT_EQ(inertia->motion().acceleration(), a);
+  EXPECT_EQ(acceleration(), a);
   scene.system->accept(x);
   scene.system->residual(x, between);
-  EXPECT_EQ(inertia->motion().acceleration(), a);
+  EXPECT_EQ(acceleration(), a);
   // The mass of the whole body answers a uniform acceleration, less what is prescribed.
   Vector uniform(x.getMap()), force(x.getMap());
   const unknowns::DofMap& dofs = scene.system->dofs();

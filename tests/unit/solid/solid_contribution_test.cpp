@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/solid/element_fields.hpp"
 #include "abut/solid/element_kernel.hpp"
 #include "abut/solid/solid_contribution.hpp"
 #include "abut_test/dense_system.hpp"
@@ -113,8 +112,8 @@ TEST(ElementFields, FreeColumn) {
   std::vector<double> u(mesh.x.size());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = mesh.x[i] * ((i % 3 == 2 ? axial : std::sqrt(y)) - 1.0);
-  const Material material = make_material(options);
-  const ElementFields out = element_fields(mesh, 0, material, {u.data(), 3, 1.0});
+  const SolidContribution solid(mesh, 0, make_material(options));
+  const ElementFields out = solid.element_fields({u.data(), 3, 1.0});
   ASSERT_EQ(out.von_mises.size(), 2u);
   const double expected[] = {0, 0, nominal / y, 0, 0, 0};
   double volume = 0.0;

@@ -35,6 +35,13 @@ template <fem::FaceType F> const ReferenceFace<F>& reference_face() {
   return face;
 }
 
+/// The tables of all face types, for loops over mixed ones: a base for each.
+struct ReferenceFaces : ReferenceFace<fem::FaceType::quad4>,
+                        ReferenceFace<fem::FaceType::quad8>,
+                        ReferenceFace<fem::FaceType::quad9>,
+                        ReferenceFace<fem::FaceType::tri3>,
+                        ReferenceFace<fem::FaceType::tri6> {};
+
 /// Tangents x,xi and x,eta of a face with nodes x at point p.
 template <fem::FaceType F, class T>
 KOKKOS_INLINE_FUNCTION void face_tangents(const ReferenceFace<F>& face, int p, const Vec<T, 3>* x,

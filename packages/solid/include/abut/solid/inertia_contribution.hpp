@@ -4,6 +4,7 @@
 #include "abut/core/contribution.hpp"
 #include "abut/core/tensor.hpp"
 #include "abut/mesh/mesh.hpp"
+#include "abut/solid/mass_arrays.hpp"
 #include "abut/solid/nodal_motion.hpp"
 
 namespace abut::solid {
@@ -24,9 +25,9 @@ struct Momentum {
 /// the motion of the nodes; t is the time.
 class InertiaContribution : public Contribution {
 public:
-  /// The mesh must outlive this object. lead: (3 N local nodes) what moves each node. Collective.
+  /// lead: (3 N local nodes) what moves each node. Collective.
   InertiaContribution(const mesh::Mesh& mesh, const std::vector<BlockDensity>& blocks,
-                      const TimeIntegration& rule, std::vector<Lead> lead);
+                      const TimeIntegration& rule, const std::vector<Lead>& lead);
 
   const char* name() const override { return "inertia"; }
   const Connectivity& connectivity() const override { return connectivity_; }
@@ -45,11 +46,8 @@ public:
   Momentum momentum(const NodalFields& fields) const;
 
 private:
-  const mesh::Mesh& mesh_;
   Connectivity connectivity_;
-  std::vector<Local> nodes_;             ///< local node of each entry of the connectivity
-  std::vector<std::size_t> first_entry_; ///< (cells+1) into mass_
-  std::vector<double> mass_;             ///< packed, see mass_index
+  MassArrays mass_;
   NodalMotion motion_;
   bool symmetric_ =
       true; ///< unless nodes of turning bodies have another rule than their neighbours

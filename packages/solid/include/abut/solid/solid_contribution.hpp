@@ -3,9 +3,14 @@
 
 #include "abut/core/contribution.hpp"
 #include "abut/mesh/mesh.hpp"
+#include "abut/solid/element_fields.hpp"
 #include "abut/solid/material.hpp"
 
+#include <memory>
+
 namespace abut::solid {
+
+class BlockLoops;
 
 /// Internal forces of this rank's elements of one block. The first three fields are the
 /// displacement; others are left alone.
@@ -13,6 +18,7 @@ class SolidContribution : public Contribution {
 public:
   /// The mesh must outlive this object.
   SolidContribution(const mesh::Mesh& mesh, int block, const Material& material);
+  ~SolidContribution() override;
 
   const char* name() const override { return "solid"; }
   const Connectivity& connectivity() const override { return connectivity_; }
@@ -23,6 +29,9 @@ public:
   void residual(const NodalFields& fields, const ResidualScatter& scatter) override;
   void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
 
+  /// Stresses and energies at fields, whose ghosts are up to date.
+  ElementFields element_fields(const NodalFields& fields) const;
+
   int block() const { return block_; }
   const Material& material() const { return material_; }
 
@@ -31,6 +40,7 @@ private:
   int block_;
   Material material_;
   Connectivity connectivity_;
+  std::unique_ptr<BlockLoops> loops_;
 };
 
 } // namespace abut::solid

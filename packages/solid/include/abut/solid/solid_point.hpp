@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/error.hpp"
 #include "abut/core/tensor.hpp"
 #include "abut/fem/cell_shape.hpp"
 #include "abut/fem/quadrature.hpp"
@@ -9,20 +10,18 @@
 /// Kinematics of an element's integration points.
 namespace abut::solid {
 
-/// Shape functions of a cell at its stiffness points.
-template <fem::CellType C> struct ReferenceCell {
+/// Shape functions of a cell at P points.
+template <fem::CellType C, int P> struct CellTable {
   static constexpr int nodes = fem::CellShape<C>::nodes;
-  static constexpr int points = C == fem::CellType::hex8     ? 8
-                                : C == fem::CellType::tet4   ? 1
-                                : C == fem::CellType::tet10  ? 4
-                                : C == fem::CellType::wedge6 ? 6
-                                                             : 27;
+  static constexpr int points = P;
   double weight[points];
   double N[points][nodes];
   double dN[points][3][nodes]; ///< by the reference cell's coordinates
 
-  ReferenceCell() {
-    const fem::Rule<3> rule = fem::cell_rule(C, fem::default_points(C));
+  /// The rule with so many points per direction; it has P of them (else Defect).
+  explicit CellTable(int per_direction) {
+    const fem::Rule<3> rule = fem::cell_rule(C, per_direction);
+    ABUT_REQUIRE(rule.size() == points, "points of a table");
     for (int p = 0; p < points; ++p) {
       double d[nodes][3];
       weight[p] = rule.weight[p];
@@ -33,6 +32,19 @@ template <fem::CellType C> struct ReferenceCell {
           dN[p][i][a] = d[a][i];
     }
   }
+};
+
+constexpr int stiffness_points(fem::CellType type) {
+  return type == fem::CellType::hex8     ? 8
+         : type == fem::CellType::tet4   ? 1
+         : type == fem::CellType::tet10  ? 4
+         : type == fem::CellType::wedge6 ? 6
+                                         : 27;
+}
+
+/// At the points that integrate stiffness.
+template <fem::CellType C> struct ReferenceCell : CellTable<C, stiffness_points(C)> {
+  ReferenceCell() : CellTable<C, stiffness_points(C)>(fem::default_points(C)) {}
 };
 
 /// The one table of a cell type (host).
