@@ -72,10 +72,8 @@ private:
     Vec3 y[fem::max_face_nodes], z[fem::max_face_nodes];
     search.facing.coordinates(s.facing, y);
     search.facing.coordinates(s.anchor, z);
-    const ContactPoint c =
-        contact_point(search.primary, search.facing, points, terms, i, nullptr);
-    const auto t =
-        point_traction<double>(c, search.primary.now(search.primary.face(i)), y, z);
+    const ContactPoint c = contact_point(search.primary, search.facing, points, terms, i, nullptr);
+    const auto t = point_traction<double>(c, search.primary.now(search.primary.face(i)), y, z);
     s.traction = t.traction;
     s.gap = t.gap;
     s.normal = t.c;
@@ -90,8 +88,7 @@ private:
     const Local face = search.primary.face(i);
     s.penalty = terms.penalty_of(search.primary, search.facing, face, s.anchor);
     s.multiplier = points.history(i).multiplier;
-    const ContactPoint c =
-        contact_point(search.primary, search.facing, points, terms, i, nullptr);
+    const ContactPoint c = contact_point(search.primary, search.facing, points, terms, i, nullptr);
     Vec3 z[fem::max_face_nodes];
     search.facing.coordinates(s.anchor, z);
     const Vec3 trial = anchored_trial(c, at, z);
@@ -150,39 +147,53 @@ private:
   KOKKOS_INLINE_FUNCTION void read_partner(Local i, const PrimaryPoint<double>& at,
                                            PointState& s) const {
     s.by_site = s.searched = true;
-    const Partner best =
-        points.iterate(i).losses >= swings ? Partner() : search.find(start(i, at));
+    const Partner best = points.iterate(i).losses >= swings ? Partner() : search.find(start(i, at));
     if (best.face < 0)
       return stay_open(i, s);
     take(best, s);
-    const PointHistory &history = points.history(i), &past = points.converged(i);
-    s.penalty =
-        terms.penalty_of(search.primary, search.facing, search.primary.face(i), best.face);
-    s.multiplier = history.multiplier;
+    s.normal = terms.ray ? -at.normal : best.normal;
+    s.penalty = terms.penalty_of(search.primary, search.facing, search.primary.face(i), best.face);
+    s.multiplier = points.history(i).multiplier;
+    SiteReading r = reading(i, best.face, s.penalty);
+    r.covered = true;
+    read_gap(i, s, r);
+    // Open without friction: as near as the search comes will do. Friction remembers the gap.
+    if (terms.law.friction > 0.0 || may_press(r))
+      meet_partner(i, at, s, r);
+    points.reading(i) = r;
+  }
+
+  KOKKOS_INLINE_FUNCTION void read_gap(Local i, const PointState& s, SiteReading& r) const {
+    r.gap = points.net_gap(i);
+    r.normal = s.normal;
+    r.pulls = (terms.tension && points.converged(i).in_contact) ||
+              (terms.sticky && !points.history(i).torn && r.gap < terms.stick_within);
+  }
+
+  KOKKOS_INLINE_FUNCTION bool may_press(const SiteReading& r) const {
+    return terms.at_nodes || terms.user_law || r.pulls ||
+           r.multiplier - r.penalty * (r.gap - touching_gap * r.size) > 0.0;
+  }
+
+  /// The partner to rounding, where the search stops before, and the slip.
+  KOKKOS_INLINE_FUNCTION void meet_partner(Local i, const PrimaryPoint<double>& at, PointState& s,
+                                           SiteReading& r) const {
     Vec3 y[fem::max_face_nodes], y_previous[fem::max_face_nodes];
-    search.facing.coordinates(best.face, y);
-    search.facing.previous_coordinates(best.face, y_previous);
+    search.facing.coordinates(s.facing, y);
+    search.facing.previous_coordinates(s.facing, y_previous);
     const ContactPoint c =
         contact_point(search.primary, search.facing, points, terms, i, y_previous);
     const auto partner = contact_partner<double>(c, at, y);
-    s.xi[0] = partner.xi[0]; // to rounding, the search stops before
+    s.xi[0] = partner.xi[0];
     s.xi[1] = partner.xi[1];
     s.gap = partner.gap;
     s.normal = partner.c;
-    SiteReading r = reading(i, best.face, s.penalty);
-    r.covered = true;
-    r.gap = points.net_gap(i);
-    r.normal = partner.c;
-    r.pulls = (terms.tension && past.in_contact) ||
-              (terms.sticky && !history.torn && r.gap < terms.stick_within);
-    const bool may_press = terms.at_nodes || terms.user_law || r.pulls ||
-                           r.multiplier - r.penalty * (r.gap - touching_gap * r.size) > 0.0;
-    if (terms.law.friction > 0.0 && !terms.law.literal && may_press) {
+    read_gap(i, s, r);
+    if (terms.law.friction > 0.0 && !terms.law.literal && may_press(r)) {
       r.slip = objective_slip(c, partner);
       if (!terms.at_nodes) // nodes carry a shear for each of their points
-        r.carried = turned_traction(history.carried, at);
+        r.carried = turned_traction(points.history(i).carried, at);
     }
-    points.reading(i) = r;
   }
 };
 

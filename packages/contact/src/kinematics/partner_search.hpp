@@ -28,6 +28,7 @@ struct Query {
 struct Partner {
   Local face = -1;
   double distance = 0.0, gap = 0.0, xi[2] = {0.0, 0.0};
+  Vec3 normal{{0, 0, 0}}; ///< of the face
 };
 
 /// The search of one interface in one configuration. Copied by value.
@@ -90,8 +91,9 @@ struct PartnerSearch {
               visit(q, candidate, limit, inner, beside);
           });
     const bool prefer_inner =
-        inner.face >= 0 && (beside.face < 0 || inner.distance <= 2.0 * beside.distance +
-                                                                     as_near * primary.size(q.face));
+        inner.face >= 0 &&
+        (beside.face < 0 ||
+         inner.distance <= 2.0 * beside.distance + as_near * primary.size(q.face));
     return prefer_inner ? inner : beside;
   }
 
@@ -102,8 +104,8 @@ struct PartnerSearch {
     Vec3 y[fem::max_face_nodes];
     facing.coordinates(last, y);
     const auto found = search::project(type, y, x, last_xi);
-    if (!found.converged || std::fabs(facet_gap<double>(type, y, x, found.xi).gap) >
-                                rim_depth * facing.size(last))
+    if (!found.converged ||
+        std::fabs(facet_gap<double>(type, y, x, found.xi).gap) > rim_depth * facing.size(last))
       return false;
     for (int e = 0; e < fem::face_corners(type); ++e)
       if (beyond_edge(type, found.xi, e) && on_rim(last, e))
@@ -114,8 +116,7 @@ struct PartnerSearch {
 private:
   /// Projection of the query's point on a face, or the hit of its line.
   KOKKOS_INLINE_FUNCTION static search::Projection meet_face(const Query& q, fem::FaceType type,
-                                                             const Vec3* y,
-                                                             const double start[2]) {
+                                                             const Vec3* y, const double start[2]) {
     if (!q.line)
       return search::project(type, y, q.x, start);
     const search::RayHit hit = search::intersect(type, y, q.origin, q.direction, start);
@@ -124,8 +125,7 @@ private:
 
   KOKKOS_INLINE_FUNCTION static bool within(fem::FaceType type, const double* xi, double margin) {
     const double unit = fem::is_triangle(type) ? 1.0 : 2.0; // length of a side in parameters
-    return fem::dispatch_face(type,
-                              [&](auto s) { return decltype(s)::inside(xi, margin * unit); });
+    return fem::dispatch_face(type, [&](auto s) { return decltype(s)::inside(xi, margin * unit); });
   }
 
   /// Whether the point has passed through the face since the last converged step: a fast point must
@@ -141,11 +141,13 @@ private:
     return dot(cross(then.tangent[0], then.tangent[1]), q.x_previous - then.x) >= 0.0;
   }
 
-  /// Whether a face is a partner at a projection at all; its gap along the query's measure.
+  /// Whether a face is a partner at a projection at all; its gap along the query's measure and its
+  /// normal.
   KOKKOS_INLINE_FUNCTION bool faces(const Query& q, Local candidate, const Vec3* y,
-                                    const double xi[2], double& gap) const {
+                                    const double xi[2], double& gap, Vec3& normal) const {
     const auto at = facet_gap<double>(facing.type(candidate), y, q.x, xi);
     gap = at.gap;
+    normal = at.normal;
     if (q.line) {
       Vec3 hit = Vec3::zero();
       for (int b = 0; b < facing.nodes(candidate); ++b)
@@ -177,17 +179,18 @@ private:
     const auto found = meet_face(q, type, y, start);
     const bool hold = q.hold > 0.0 && candidate == q.last;
     double gap = 0.0;
+    Vec3 normal;
     if (!found.converged || !within(type, found.xi, hold ? q.hold : margin) ||
-        !faces(q, candidate, y, found.xi, gap))
+        !faces(q, candidate, y, found.xi, gap, normal))
       return;
     const double distance = std::fabs(gap);
     const bool is_inner = hold || within(type, found.xi, round_off);
     Partner& partner = is_inner ? inner : beside;
-    const bool tie = partner.face >= 0 && std::fabs(distance - partner.distance) <=
-                                              round_off * primary.size(q.face);
+    const bool tie = partner.face >= 0 &&
+                     std::fabs(distance - partner.distance) <= round_off * primary.size(q.face);
     if (tie ? facing.goes_before(candidate, partner.face)
             : partner.face < 0 || distance < partner.distance)
-      partner = {candidate, distance, gap, {found.xi[0], found.xi[1]}};
+      partner = {candidate, distance, gap, {found.xi[0], found.xi[1]}, normal};
     if (is_inner)
       limit = fmin(limit, fmax(distance, q.line ? norm(q.origin - q.x) : 0.0));
   }
