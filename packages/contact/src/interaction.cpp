@@ -48,8 +48,8 @@ struct Interaction::Parts {
   bool started = false;     ///< the points have their history
   bool established = false; ///< some point was in contact at the last converged step
   bool predicting = false;  ///< the solve under way predicts a step
-  bool new_step = true;     ///< no iterate of the step has been taken
   int iterates = 0;         ///< taken in this solve
+  int step_iterates = 0;    ///< taken in this step
 };
 
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
@@ -134,7 +134,7 @@ void Interaction::Parts::set_terms(double time) {
   terms.fade = o.initial_overlap == InitialOverlap::resolve
                    ? std::max(0.0, 1.0 - (time - o.window.from) / (resolved - o.window.from))
                    : 1.0;
-  terms.search_hold = iterates >= o.segment_updates ? frozen_margin : 0.0;
+  terms.search_hold = step_iterates >= o.segment_updates ? frozen_margin : 0.0;
 }
 
 void Interaction::prepare(const NodalFields& fields) {
@@ -300,13 +300,14 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
 }
 
 void Interaction::begin_step() {
-  parts_->new_step = true;
+  parts_->state_version += parts_->data.terms.search_hold > 0.0;
+  parts_->step_iterates = 0;
 }
 
 void Interaction::begin_solve(SolveKind kind) {
   Parts& p = *parts_;
   const bool predicting = kind == SolveKind::prediction;
-  p.state_version += predicting != p.predicting || p.data.terms.search_hold > 0.0;
+  p.state_version += predicting != p.predicting;
   p.predicting = predicting;
   p.iterates = 0;
 }
@@ -314,8 +315,8 @@ void Interaction::begin_solve(SolveKind kind) {
 void Interaction::iterate_taken() {
   Parts& p = *parts_;
   if (p.data.acts)
-    take_iterate(p.data, p.new_step);
-  p.new_step = false;
+    take_iterate(p.data, p.step_iterates == 0);
+  ++p.step_iterates;
   ++p.iterates;
   ++p.state_version;
 }
@@ -333,7 +334,7 @@ void Interaction::accept() {
   p.augmenter.take_at_end();
   keep_history(p.data);
   if (p.data.acts)
-    take_iterate(p.data, p.new_step);
+    take_iterate(p.data, p.step_iterates == 0);
   restart_search(p.data);
   if (settings().update_penalty)
     p.data.place.primary().update_stretch();
@@ -343,16 +344,14 @@ void Interaction::accept() {
   p.established = p.data.comm.any(contact);
   p.data.place.accept();
   p.augmenter.clear();
-  p.new_step = true;
-  p.iterates = 0;
+  p.iterates = p.step_iterates = 0;
 }
 
 void Interaction::reject() {
   Parts& p = *parts_;
   drop_step(p.data);
   p.augmenter.clear();
-  p.new_step = true;
-  p.iterates = 0;
+  p.iterates = p.step_iterates = 0;
   ++p.state_version;
 }
 

@@ -17,9 +17,8 @@ AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
   const bool inexact = augment_ && newton_.options().inexact;
   EarlyEnd early;
   early.tolerance = inexact ? loosest : 0.0;
-  SolveKind kind = SolveKind::newton;
+  system.begin_solve(SolveKind::newton);
   for (;;) {
-    system.begin_solve(kind);
     result.solves.push_back(newton_.solve(system, x, observer, early));
     const NewtonResult& solve = result.solves.back();
     result.iterations += solve.iterations;
@@ -36,12 +35,11 @@ AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
     if (result.report.converged || result.report.stalled) {
       if (early.tolerance <= finest)
         break;
-      early.tolerance = 0.0;
-      kind = SolveKind::newton;
+      early.tolerance = 0.0; // the same solve goes on
       continue;
     }
     ++result.augmentations;
-    kind = SolveKind::after_augmentation;
+    system.begin_solve(SolveKind::after_augmentation);
     // A multiplier that grows before its force has moved anything would grow for nothing.
     if (inexact)
       early = {std::min(loosest, share_of_change * result.report.change), share_of_change};

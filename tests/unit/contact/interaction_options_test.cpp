@@ -5,6 +5,7 @@
 #include "abut_test/dense_system.hpp"
 #include "abut_test/surfaces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <mpi.h>
@@ -231,6 +232,28 @@ TEST(InteractionOptions, TensionHoldsWhatWasInContact) {
   EXPECT_NEAR(plates.force(0, 0, -0.02)[2], 1.0, 1e-12);
   plates.pair->accept();
   EXPECT_NEAR(plates.force(0, 0, 0.01)[2], -2.0, 1e-12);
+}
+
+// The plane rises beyond x = 1: the force tells whether the points there have a new face.
+TEST(InteractionOptions, PartnersStayAfterSoManySearchesOfAStep) {
+  contact::ContactOptions o = with_penalty(100.0);
+  o.formulation = Formulation::node_on_facet;
+  o.segment_updates = 1;
+  Plates plates(o);
+  for (std::size_t n = 0; n < plates.lower.node.size(); ++n)
+    plates.system.u[3 * std::size_t(plates.lower.node[n]) + 2] =
+        0.2 * std::max(0.0, plates.lower.x[3 * n] - 1.0);
+  const auto begin_solve = [&](SolveKind kind) { plates.pair->begin_solve(kind); };
+  plates.pair->begin_step();
+  begin_solve(SolveKind::newton);
+  EXPECT_NEAR(plates.force(-0.1, 0.0, -0.01)[2], 1.0, 1e-12);
+  plates.pair->iterate_taken();
+  EXPECT_NEAR(plates.force(0.3, 0.0, -0.01)[2], 1.0, 1e-12);
+  begin_solve(SolveKind::after_augmentation);
+  EXPECT_NEAR(plates.force(0.3, 0.0, -0.01)[2], 1.0, 1e-12);
+  plates.pair->begin_step();
+  begin_solve(SolveKind::newton);
+  EXPECT_GT(plates.force(0.3, 0.0, -0.01)[2], 2.0);
 }
 
 TEST(InteractionOptions, OffsetCountsAsClosed) {

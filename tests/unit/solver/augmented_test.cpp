@@ -91,6 +91,24 @@ TEST_F(Augmented, ContractsByTheUzawaFactor) {
   EXPECT_NEAR(system.gather(*x)[1], stop.gap, 1e-11);
 }
 
+// Multipliers that are good enough are followed by Newton's own tolerance: to contact that is the
+// same solve, which must not start its search anew.
+TEST_F(Augmented, FinerToleranceIsNoNewSolve) {
+  solver::AugmentedLagrangian loop(*newton, [&](int augmentation) {
+    AugmentReport report;
+    report.change = 1.0;
+    report.converged = augmentation == 2;
+    if (!report.converged)
+      stop.multiplier = contact_force();
+    return report;
+  });
+  const auto result = loop.solve(system, *x);
+  ASSERT_TRUE(result.converged) << result.reason;
+  EXPECT_EQ(result.solves.size(), 4u); // the last one finer
+  EXPECT_EQ(system.solves, (std::vector{SolveKind::newton, SolveKind::after_augmentation,
+                                        SolveKind::after_augmentation}));
+}
+
 // Beside large forces elsewhere that of an augmentation is small; multipliers that grew again before
 // it has moved anything would grow for nothing.
 TEST_F(Augmented, MovesBetweenAugmentationsBesideLargeForces) {

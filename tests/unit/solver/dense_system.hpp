@@ -52,6 +52,7 @@ public:
   bool indefinite() const override { return is_indefinite; }
   double reference_force() const override { return reference; }
 
+  void begin_solve(SolveKind kind) override { solves.push_back(kind); }
   void set_time(double t) override { time = t; }
   RCP<const Matrix> predictor(const Vector& x, Vector& rhs) override {
     residual(x, rhs);
@@ -75,6 +76,7 @@ public:
   double reference = 1.0, time = 0.0;
   bool is_symmetric = false, is_indefinite = false, changing_graph = false;
   int evaluations = 0, accepted = 0, rejected = 0;
+  std::vector<SolveKind> solves; ///< begun
 
 private:
   void scatter(const Values& all, Vector& v) const {

@@ -141,7 +141,7 @@ template <class V> void describe_evaluation(V& v, contact::ContactOptions& o) {
              "how far outside a face a projection still counts, in face coordinates",
              at_least(0.0, "1"));
   v.number_or("segment_updates", o.segment_updates, "unlimited",
-              "searches in a solve after which partners stay", at_least(1.0, "1"));
+              "searches in a step after which partners stay", at_least(1.0, "1"));
 }
 
 /// When augmentation stops.

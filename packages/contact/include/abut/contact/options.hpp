@@ -113,7 +113,7 @@ struct ContactOptions {
 
   double reach = 3.0;              ///< how far a partner is sought, in sizes of the larger face [1]
   double projection_margin = 0.01; ///< how far outside a face a projection still counts [1]
-  std::optional<int> segment_updates; ///< searches in a solve after which partners stay; none: all
+  std::optional<int> segment_updates; ///< searches in a step after which partners stay; none: all
 
   // Augmented Lagrangian: stop when the tolerances hold, at the plateau, or at the maximum.
   std::optional<double> multiplier_tolerance; ///< relative change of the multipliers; none: 1e-2,
