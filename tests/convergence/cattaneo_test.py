@@ -57,9 +57,11 @@ def whole(path):
     return mesh
 
 
-def mesh_file(folder, facets):
+def mesh_file(folder, facets, fit=False):
+    """3:2, or the finer faces on both sides."""
     path = pathlib.Path(folder) / "cylinders.exo"
-    scenes.mesh(path, "two_cylinders", core=CORE, upper_facets=3 * facets // 2, lower_facets=facets,
+    fine = 3 * facets // 2
+    scenes.mesh(path, "two_cylinders", core=CORE, upper_facets=fine, lower_facets=fine if fit else facets,
                 growth=2, thickness=CORE / facets)
     exodus_edit.write(path, whole(path))
     return path
@@ -143,22 +145,25 @@ def width(x, f):
 
 class PartialSlip(unittest.TestCase):
     """Half a coarse face over a bounds the L2 errors, a quarter the one of c/a; the status is right but within a
-    face from the edge of the stick zone."""
+    face from the edge of the stick zone. At the depth d inside, shear over friction falls as 1 - k sqrt(2 d/c) with
+    k = (c/a)/sqrt(1 - (c/a)^2), to 0.4 a face of a/18 inside c = 0.87 a: a point slips there only where its pressure or
+    its shear is off by half. Those of multipliers at points are on meshes that do not fit (docs/theory/multipliers.md),
+    after two augmentations as after all: two faces for them. On meshes that fit they are right within one."""
 
-    def check(self, level, face, coarse_face, over):
+    def check(self, level, face, coarse_face, over, reach):
         self.assertLess(max(level.shear, level.pressure), coarse_face / 2)
         self.assertLess(abs(level.ratio - level.exact), coarse_face / 4)
-        self.assertGreater(level.slips, level.exact - face)
+        self.assertGreater(level.slips, level.exact - reach)
         self.assertLess(level.sticks, level.exact + face)
         self.assertGreater(level.sticks, 0)
         self.assertLess(level.slips, 1)
         self.assertLess(level.over, over)
 
-    def study(self, case, fine_primary):
+    def study(self, case, fine_primary, fit=False):
         runs = []
         for facets in KNOWN.meshes:
             with tempfile.TemporaryDirectory() as folder:
-                path = mesh_file(folder, facets)
+                path = mesh_file(folder, facets, fit)
                 result = scenes.run(deck(case, WAYS, fine_primary=fine_primary), seconds=900, files=[path])
             side = "upper_contact" if fine_primary else "lower_contact"
             # by time: a step that had to be cut counts for more than one
@@ -172,7 +177,8 @@ class PartialSlip(unittest.TestCase):
                 self.assertLess(abs(level.share - share), 0.02)
                 # a node's shear lies in its own mean plane, a face turns by its length over the radius 1
                 over = MU * level.face * 0.002 if case[2] == "dual" else 1e-9
-                self.check(level, level.face, level.face * (1.5 if fine_primary else 1), over)
+                reach = level.face * (2 if case[2] == "per_point" and not fit else 1)
+                self.check(level, level.face, level.face * (1.5 if fine_primary else 1), over, reach)
             runs.append(levels)
         if len(runs) > 1:
             for i, share in enumerate(SHARES):
@@ -185,6 +191,10 @@ class PartialSlip(unittest.TestCase):
             for fine_primary in (True, False) if KNOWN.thorough else (True,):
                 with self.subTest(enforcement=enforcement, fine_primary=fine_primary):
                     self.study((*friction_map, enforcement), fine_primary)
+
+    @unittest.skipUnless("per_point" in ENFORCEMENTS, "not among the spaces")
+    def test_points_on_meshes_that_fit(self):
+        self.study((*MAPS[0], "per_point"), True, fit=True)
 
     def test_facet_on_facet(self):
         self.each(MAPS[0])

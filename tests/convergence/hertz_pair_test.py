@@ -5,6 +5,7 @@ along the core, which is twice the contact wide for cylinders and 1.25 times for
 
 Hertz holds for a/R -> 0; here a/R is 0.004 and 0.02 with R = 1/2 the radius that counts.
 """
+import itertools
 import unittest
 
 import numpy
@@ -20,6 +21,7 @@ APPROACH = {"cylinder": 2.84e-5, "sphere": 2e-4}
 KNOWN = study.arguments([8, 16])
 MULTIPLIERS = {"enforcement": "augmented_lagrangian", "multiplier_tolerance": 1e-2,
                "max_augmentations": 4}
+SPACES = study.spaces(multiplier_tolerance=1e-2, max_augmentations=4)
 
 
 def scene(shape, facets, fine_primary, **contact):
@@ -80,11 +82,11 @@ class Errors:
 
 class Cylinders(unittest.TestCase):
     def test_orders(self):
-        for fine_primary in (True, False):
-            with self.subTest(fine_primary=fine_primary):
-                runs = [Errors("cylinder", n, fine_primary, **MULTIPLIERS) for n in KNOWN.meshes]
+        for space, fine_primary in itertools.product(SPACES, (True, False)):
+            with self.subTest(space=space, fine_primary=fine_primary):
+                runs = [Errors("cylinder", n, fine_primary, **SPACES[space]) for n in KNOWN.meshes]
                 errors = [run.pressure for run in runs]
-                print("  orders: pressure", study.words(study.orders(KNOWN.meshes, errors)),
+                print(f"  {space} orders: pressure", study.words(study.orders(KNOWN.meshes, errors)),
                       " radius", study.words(study.orders(KNOWN.meshes, [r.radius for r in runs])))
                 self.assertGreater(min(run.active for run in runs), 0)
                 # linear cells: the root at the contact edge allows order 1 in L2

@@ -5,15 +5,16 @@ Hertz holds for a/R -> 0: the computed pressure sees the true shape and the tang
 which change it by O(a/R). Hence a/R = 0.01 (sphere) and 0.002 (cylinder), half the fine core of the mesh.
 Errors are taken at the force of the run.
 """
-import math
 import unittest
 
 import hertz_error
 import scenes
+import study
 
 MODULUS = 1 / (1 - 0.3**2)  # E = 1, poisson 0.3, rigid plane
 RADIUS = 1.0
 CORE = {"cylinder": 0.004, "sphere": 0.02}
+SPACES = study.spaces(penalty_factor=10, multiplier_tolerance=1e-4, max_augmentations=4)
 
 
 def scene(shape, facets, approach, **contact):
@@ -39,11 +40,9 @@ def scene(shape, facets, approach, **contact):
 class Errors:
     """Pressure error in L2, contact radius error, peak pressure error of one multiplier run."""
 
-    def __init__(self, shape, facets, approach):
+    def __init__(self, shape, facets, approach, **contact):
         size = CORE[shape] / facets
-        result = scenes.run(scene(shape, facets, approach, enforcement="augmented_lagrangian",
-                                  multipliers="per_point", penalty_factor=10,
-                                  multiplier_tolerance=1e-4, max_augmentations=4))
+        result = scenes.run(scene(shape, facets, approach, **contact))
         x, p = hertz_error.pressure_line(result.fields, "contact")
         if shape == "cylinder":
             force = 2 * result.force()[2] / size
@@ -61,18 +60,13 @@ class Errors:
               f"({result.summary['unknowns']} unknowns)")
 
 
-def orders(values, meshes):
-    return [math.log(coarse / fine) / math.log(m_fine / m_coarse)
-            for coarse, fine, m_coarse, m_fine in zip(values, values[1:], meshes, meshes[1:])]
-
-
 class Orders(unittest.TestCase):
-    def study(self, shape, approach, meshes):
-        runs = [Errors(shape, facets, approach) for facets in meshes]
+    def study(self, space, shape, approach, meshes):
+        runs = [Errors(shape, facets, approach, **SPACES[space]) for facets in meshes]
         pressure, radius = [r.pressure for r in runs], [r.radius for r in runs]
-        overall = orders([pressure[0], pressure[-1]], [meshes[0], meshes[-1]])[0]
-        print(f"{shape:8s} orders: pressure L2", *(f"{o:.2f}" for o in orders(pressure, meshes)),
-              f" overall {overall:.2f}  radius", *(f"{o:.2f}" for o in orders(radius, meshes)))
+        overall = study.orders([meshes[0], meshes[-1]], [pressure[0], pressure[-1]])[0]
+        print(f"{shape:8s} {space} orders: pressure L2 {study.words(study.orders(meshes, pressure))}"
+              f"  overall {overall:.2f}  radius {study.words(study.orders(meshes, radius))}")
         for run in runs:
             self.assertGreater(run.active, 0)
         for values in (pressure, radius):
@@ -83,14 +77,18 @@ class Orders(unittest.TestCase):
         return runs
 
     def test_cylinder(self):
-        runs = self.study("cylinder", 1.42e-5, (8, 16, 32, 64))
-        self.assertLess(runs[-1].pressure, 0.02)
-        self.assertLess(max(run.peak for run in runs), 0.01)
+        for space in SPACES:
+            with self.subTest(space=space):
+                runs = self.study(space, "cylinder", 1.42e-5, (8, 16, 32, 64))
+                self.assertLess(runs[-1].pressure, 0.02)
+                self.assertLess(max(run.peak for run in runs), 0.01)
 
     def test_sphere(self):
-        runs = self.study("sphere", 1e-4, (4, 8, 16))
-        self.assertLess(runs[-1].pressure, 0.07)
-        self.assertLess(max(run.peak for run in runs), 0.03)
+        for space in SPACES:
+            with self.subTest(space=space):
+                runs = self.study(space, "sphere", 1e-4, (4, 8, 16))
+                self.assertLess(runs[-1].pressure, 0.07)
+                self.assertLess(max(run.peak for run in runs), 0.03)
 
 
 class Penalty(unittest.TestCase):

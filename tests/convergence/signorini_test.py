@@ -7,6 +7,8 @@ those of the cells, k + 1 in displacement and k in energy. On a mesh that does n
 down to 5/2 and 3/2. Nodal pressures are averages over the faces of a node: order 2 for any cell.
 node_on_facet is exact for linear faces; on quadratic ones points at nodes integrate too little, and order 1 in
 displacement and 1/2 in energy are all it gives.
+The default multipliers stand at corners. The one at the edge closes the mean of a gap that grows with h^2 beyond
+it: a bump of height h^2 and width h, order 5/2 in displacement, 2 in energy, 3/2 in pressure.
 """
 import argparse
 import math
@@ -99,6 +101,32 @@ class Orders(unittest.TestCase):
                         points = 2 * run.cells * (k + 1)**2
                         self.assertEqual(run.contact["active_points"],
                                          points // 2 if kind == "partial" else points)
+
+    def default(self, kind, share=1.0):
+        """Orders of the default multipliers."""
+        for element in self.elements:
+            k = 1 if element == "hex8" else 2
+            with self.subTest(element=element):
+                runs, found = self.study(kind, element, share, **signorini.DEFAULT)
+                if self.low_order(element):
+                    self.check_least(found, displacement=1, energy=0.5, pressure=1)
+                    continue
+                partial = kind == "partial"
+                self.check_least(found, displacement=min(k + 1, 2.5 if partial else 3), energy=k,
+                                 pressure=1.5 if partial else 2)
+                if self.friction:
+                    self.check_least(found, shear=1)
+
+    def test_full_contact_with_default_multipliers(self):
+        self.default("full")
+
+    def test_partial_contact_with_default_multipliers(self):
+        self.default("partial")
+
+    def test_stick_with_default_multipliers(self):
+        if not self.friction:
+            self.skipTest("without friction nothing sticks")
+        self.default("full", share=0.5)
 
     def test_full_contact(self):
         self.augmented("full")

@@ -30,6 +30,13 @@ def contact(known, **options):
     return {**options, **({"formulation": known.formulation} if known.formulation else {})}
 
 
+def spaces(**per_point):
+    """Options of augmented Lagrangian: a multiplier at each point with the settings given, and what a deck gets
+    that asks for nothing more."""
+    augmented = {"enforcement": "augmented_lagrangian"}
+    return {"per_point": {**augmented, "multipliers": "per_point", **per_point}, "default": augmented}
+
+
 def order(meshes, values):
     """Slope of the straight line through log(value) over log(1/mesh)."""
     return -numpy.polyfit(numpy.log(meshes), numpy.log(numpy.abs(values)), 1)[0]

@@ -17,6 +17,8 @@ LINEAR = {"model": "linear_elastic", "young": 1, "poisson": 0}
 # The ledger counts what springs hold only as far as multipliers have taken it over: those of the points do.
 AUGMENTED = {"enforcement": "augmented_lagrangian", "multipliers": "per_point", "penalty_factor": 10,
              "multiplier_tolerance": 1e-7, "max_augmentations": 60}
+DEFAULT = {"enforcement": "augmented_lagrangian"}
+CLOSED = {**DEFAULT, "gap_tolerance": 1e-7, "max_augmentations": 60}  # springs of the default hold nothing then
 
 
 def block(material=NEO_HOOKEAN, **contact):
@@ -85,6 +87,19 @@ class Sliding(Ledger):
                 with self.subTest(formulation=formulation, friction=friction):
                     self.check(f"multipliers {formulation} friction {friction}", friction,
                                formulation=formulation, material=material, **AUGMENTED)
+
+    def test_default_multipliers(self):
+        """Its gap of a thousandth of a face lets springs hold what the end of a step takes over: of first order
+        in the step. Closed further, the ledger is of second order as it is with multipliers at points."""
+        for formulation, material in (("facet_on_facet", NEO_HOOKEAN), ("sliding_elastic", LINEAR)):
+            with self.subTest(formulation=formulation):
+                scene = {"formulation": formulation, "material": material}
+                _, _, relative, order = self.run_steps(block(friction=0, **scene, **DEFAULT), f"default {formulation}")
+                self.assertGreater(order, 0.8)
+                self.assertLess(order, 1.2)
+                self.assertLess(abs(relative[-1]), 0.01)
+                self.check(f"default, closed {formulation}", 0.3, **scene, **CLOSED)
+        self.check("default, closed facet_on_facet friction 0", 0, formulation="facet_on_facet", **CLOSED)
 
     def test_multipliers_at_the_end_of_steps(self):
         """Multipliers take over what springs hold, and the ledger loses it: of first order in the step."""
