@@ -16,7 +16,7 @@ template <int N> FineMatrix<N>::FineMatrix(const Comm& comm, const Matrix& matri
   GhostList numbers(owned, false);
   const Map& columns = *matrix.getColMap();
   for (Local j = 0; j < static_cast<Local>(local_size(columns)); ++j) {
-    const Global id = columns.getGlobalElement(j);
+    const Global id = columns.getGlobalElement(j) - row_map.getIndexBase();
     block_column_.push_back(numbers.local(id / N));
     component_.push_back(static_cast<char>(id % N));
   }

@@ -139,7 +139,7 @@ template <int N> struct UpperResidual {
 };
 
 template <int N> void GaussSeidel<N>::residual_after_forward(const float* x, float* r) const {
-  Kokkos::parallel_for("abut: multigrid residual", Range(0, lower_.rows),
+  Kokkos::parallel_for("abut::multigrid::residual", Range(0, lower_.rows),
                        UpperResidual<N>{upper_, ghost_, x, r});
 }
 
@@ -159,7 +159,7 @@ template <int N> struct LowerResidual {
 /// x_i = D_i^-1 (b_i - L x_old - U x_new): the lower part is taken before the sweep begins, as it
 /// multiplies old values only.
 template <int N> void GaussSeidel<N>::backward(const float* b, float* x, float* work) const {
-  Kokkos::parallel_for("abut: multigrid backward", Range(0, lower_.rows),
+  Kokkos::parallel_for("abut::multigrid::lower_residual", Range(0, lower_.rows),
                        LowerResidual<N>{lower_, ghost_, b, x, work});
   for (Local n = 0; n < upper_.rows; ++n) {
     const Local i = upper_.rows - 1 - n;

@@ -118,7 +118,7 @@ template <class T, int R, int C> struct Multiply {
 
 template <class T, int R, int C>
 void multiply(const BlockMatrix<T, R, C>& a, const T* x, T* y, bool add = false) {
-  Kokkos::parallel_for("abut: multigrid product", Range(0, a.rows),
+  Kokkos::parallel_for("abut::multigrid::product", Range(0, a.rows),
                        Multiply<T, R, C>{a, x, y, add});
 }
 
