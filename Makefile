@@ -16,7 +16,7 @@ warnings_as_errors := $(if $(filter true,$(CI)),ON,OFF)
 configure := cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=$(BUILD_TYPE) -DABUT_ENABLE_TESTS=ON \
 	-DABUT_WARNINGS_AS_ERRORS=$(warnings_as_errors) $(CMAKE_FLAGS)
 
-.PHONY: help demo test verify bench setup build format
+.PHONY: help demo test verify bench audit-threads setup build format
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
 
@@ -25,6 +25,7 @@ help:
 	@echo 'make test    set up, build everything, run the tests'
 	@echo 'make verify  set up, build everything, run the long verification studies'
 	@echo 'make bench   set up, build and run the benchmarks; AGAINST=PROGRAM: in turn with another build'
+	@echo 'make audit-threads  set up, run the kernels on 4 threads (fetches the source of Trilinos)'
 	@echo 'make setup   install the Debian packages that are missing'
 	@echo 'make build   set up, build everything'
 	@echo 'make format  lay out the C++ sources'
@@ -50,6 +51,9 @@ bench: $(BUILD)/.setup-bench $(BUILD)/build.ninja
 	  --benchmark_out=$(BUILD)/bench/kernels.json --benchmark_out_format=json
 	PYTHONPATH=tests/support $(PYTHON) -B tests/performance/bench.py --abut $(BUILD)/bin/abut \
 	  $(if $(AGAINST),--against $(AGAINST)) --output $(BUILD)/bench $(BENCH_FLAGS)
+
+audit-threads: setup
+	tests/threads/audit.sh $(BUILD) $(JOBS)
 
 setup: $(BUILD)/.setup
 

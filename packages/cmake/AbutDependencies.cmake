@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Finds what abut stands on and gives each a target of one name, whatever the distribution does.
+if(ABUT_KERNELS_ONLY)
+  set(ABUT_TRILINOS_COMPONENTS Kokkos Sacado)
+endif()
 include(AbutTrilinos)
+if(ABUT_KERNELS_ONLY)
+  return()
+endif()
 find_package(ExodusII REQUIRED)
 find_package(MUMPS REQUIRED)
 find_package(yaml-cpp REQUIRED)

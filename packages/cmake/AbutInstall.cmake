@@ -2,9 +2,6 @@
 # Installs the packages' targets for find_package(abut COMPONENTS ...) in other projects.
 include(CMakePackageConfigHelpers)
 set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/abut)
-
-file(GLOB ABUT_PACKAGES RELATIVE ${PROJECT_SOURCE_DIR}/packages ${PROJECT_SOURCE_DIR}/packages/*)
-list(REMOVE_ITEM ABUT_PACKAGES cmake)
 list(JOIN ABUT_PACKAGES " " ABUT_PACKAGES)
 
 install(EXPORT abut NAMESPACE abut:: FILE abutTargets.cmake DESTINATION ${folder})
