@@ -11,6 +11,7 @@ import sys
 # The packages whose headers a package may include, beside its own.
 ALLOWED = {
     "core": set(),
+    "multigrid": {"core"},
     "fem": {"core"},
     "mesh": {"core", "fem"},
     "meshgen": {"core", "fem", "mesh"},
@@ -21,7 +22,7 @@ ALLOWED = {
     "unknowns": {"core", "mesh"},
     "rigid": {"core", "mesh", "unknowns"},
     "assembly": {"core", "mesh", "unknowns", "rigid"},
-    "solver": {"core", "mesh", "assembly"},
+    "solver": {"core", "mesh", "multigrid", "assembly"},
     "scene": {"core", "fem", "mesh", "io", "contact", "solid", "unknowns", "rigid", "assembly",
               "solver"},
     "febio": {"core", "fem", "mesh"},

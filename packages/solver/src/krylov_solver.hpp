@@ -7,9 +7,9 @@
 
 namespace abut::solver {
 
-/// Belos CG for a symmetric matrix (GMRES where that breaks down) and GMRES otherwise, with MueLu
-/// or an incomplete factorisation. The preconditioner is kept from matrix to matrix as long as the
-/// iterations stay below 1.5 times those right after it was built.
+/// Belos CG for a symmetric matrix (GMRES where that does not converge) and GMRES otherwise. The
+/// preconditioner is renewed or kept from matrix to matrix as long as the iterations stay below 1.5
+/// times those right after it was built.
 class KrylovSolver : public LinearSolver {
 public:
   /// Throws InputError when a user's list is not readable or holds a parameter that nobody knows.

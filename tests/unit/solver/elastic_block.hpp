@@ -42,7 +42,12 @@ public:
   RCP<const Matrix> matrix() const { return matrix_; }
   RCP<const Map> map() const override { return map_; }
   int unknowns_per_node() const override { return 3; }
-  const double* node_coordinates() const override { return coordinates_.data(); }
+  std::vector<solver::RowPlace> row_places() const override {
+    std::vector<solver::RowPlace> places(coordinates_.size() / 3);
+    for (std::size_t i = 0; i < coordinates_.size(); ++i)
+      places[i / 3].point[i % 3] = coordinates_[i];
+    return places;
+  }
   bool symmetric() const override { return !kind_.skew; }
   long graph_version() const override { return 0; }
   RCP<const Matrix> tangent(const Vector&) override { return matrix_; }

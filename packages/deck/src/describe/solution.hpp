@@ -63,7 +63,8 @@ template <class V> void describe(V& v, solver::LinearOptions& o) {
              at_least(0.0, "1"));
   v.choice("preconditioner", o.preconditioner,
            {{"automatic", Preconditioner::automatic, "abut's choice"},
-            {"muelu", Preconditioner::muelu, "algebraic multigrid"},
+            {"multigrid", Preconditioner::multigrid, "smoothed aggregation of node blocks"},
+            {"muelu", Preconditioner::muelu, "MueLu's smoothed aggregation"},
             {"ilu", Preconditioner::ilu, "Ifpack2 incomplete factors"}},
            "of a Krylov solve");
   v.optional("tolerance", o.tolerance, "relative residual of a Krylov solve", positive("1"));

@@ -63,6 +63,9 @@ public:
   NodeExchange(const Comm& comm, const std::vector<Global>& first_node,
                const std::vector<Global>& ghosts);
 
+  /// To whom owned rows go and from whom ghosts come.
+  const NeighbourMessages& messages() const { return messages_; }
+
   /// Fills the ghost rows of values (rows, width) with those of their owners. Collective.
   template <class T> void to_ghosts(T* values, int width = 1) const {
     const auto in = messages_.exchange(values, width);

@@ -4,15 +4,13 @@
 #include "abut/assembly/equation_system.hpp"
 #include "abut/solver/nonlinear_system.hpp"
 
-#include <vector>
-
 namespace abut::solver {
 
 /// The assembled equations as Newton sees them.
 class AssembledSystem : public NonlinearSystem {
 public:
   /// The equations must outlive this object.
-  explicit AssembledSystem(assembly::EquationSystem& equations);
+  explicit AssembledSystem(assembly::EquationSystem& equations) : equations_(equations) {}
 
   RCP<const Map> map() const override { return equations_.dofs().map(); }
   void residual(const Vector& x, Vector& f) override { equations_.residual(x, f); }
@@ -25,7 +23,7 @@ public:
   bool settled() const override { return equations_.settled(); }
   void require_consistent() const override { equations_.require_consistent(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
-  const double* node_coordinates() const override { return coordinates_.data(); }
+  std::vector<RowPlace> row_places() const override;
   void set_time(double t) override { equations_.set_time(t); }
   void begin_solve(SolveKind kind) override { equations_.begin_solve(kind); }
   void iterate_taken() override { equations_.iterate_taken(); }
@@ -38,7 +36,6 @@ public:
 
 private:
   assembly::EquationSystem& equations_;
-  std::vector<double> coordinates_; ///< (owned rows, 3)
 };
 
 } // namespace abut::solver

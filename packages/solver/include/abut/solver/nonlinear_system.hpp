@@ -3,10 +3,14 @@
 
 #include "abut/core/contribution.hpp"
 #include "abut/core/trilinos_fwd.hpp"
+#include "abut/multigrid/near_null_space.hpp"
 
 #include <string>
+#include <vector>
 
 namespace abut::solver {
+
+using multigrid::RowPlace;
 
 /// What Newton needs of a discretised problem f(x) = 0. Newton knows nothing of contact or
 /// elements. Every member is collective. residual and tangent may throw SolveError (inverted
@@ -42,9 +46,8 @@ public:
 
   /// For multigrid: unknowns come in rows of this many per node.
   virtual int unknowns_per_node() const { return 1; }
-  /// coordinates of the nodes behind the unknowns (local unknowns / unknowns_per_node, 3), or
-  /// empty.
-  virtual const double* node_coordinates() const { return nullptr; }
+  /// (local unknowns / unknowns_per_node) what each row stands for and where; empty: not known.
+  virtual std::vector<RowPlace> row_places() const { return {}; }
 
   // --- events of the solution, see Contribution ---
 

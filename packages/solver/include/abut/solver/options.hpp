@@ -13,7 +13,7 @@ enum class LinearMethod {
   direct,    ///< MUMPS
   krylov,    ///< Belos: CG for a symmetric operator, GMRES otherwise
 };
-enum class Preconditioner { automatic, muelu, ilu };
+enum class Preconditioner { automatic, multigrid, muelu, ilu };
 enum class LineSearch { automatic, none };
 
 struct LinearOptions {

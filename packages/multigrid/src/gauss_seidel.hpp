@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/multigrid/block_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut::multigrid {
+
+/// D^-1 of a block matrix, row by row. A row without a usable diagonal block is divided by one.
+template <int N> class InverseDiagonal {
+public:
+  InverseDiagonal() = default;
+  explicit InverseDiagonal(const BlockMatrix<float, N, N>& a);
+
+  KOKKOS_INLINE_FUNCTION Pack<float, N> times(Local i, const Pack<float, N>& x) const {
+    Pack<float, N> y;
+    add_product<float, N, N>(value_.data() + static_cast<std::size_t>(i) * size, x.value, y);
+    return y;
+  }
+  std::size_t bytes() const { return value_.size() * sizeof(float); }
+
+private:
+  static constexpr int size = padded(N) * N;
+  View<float> value_; ///< (rows, N, padded(N))
+};
+
+/// Block Gauss-Seidel on the owned rows; values of ghosts are those of the last exchange. The
+/// matrix is kept in parts that each sweep reads from front to back: a sweep is bound by memory.
+template <int N> class GaussSeidel {
+public:
+  using Blocks = BlockMatrix<float, N, N>;
+
+  GaussSeidel() = default;
+  /// a: rows sorted by column; columns from the number of rows on are ghosts.
+  GaussSeidel(const Blocks& a, InverseDiagonal<N> inverse);
+
+  /// One forward sweep from x = 0: x = (L + D)^-1 b.
+  void forward_from_zero(const float* b, float* x) const;
+  /// r = b - A x after forward_from_zero and an exchange of x. Needs no b: b - (L + D) x = 0.
+  void residual_after_forward(const float* x, float* r) const;
+  /// One backward sweep. x: its ghosts exchanged. work: (rows, padded).
+  void backward(const float* b, float* x, float* work) const;
+
+  std::size_t bytes() const {
+    return lower_.bytes() + upper_.bytes() + ghost_.bytes() + inverse_.bytes();
+  }
+
+private:
+  Blocks lower_; ///< strictly lower blocks
+  Blocks upper_; ///< strictly upper blocks, the last row first, columns descending
+  Blocks ghost_; ///< blocks in columns of other ranks
+  InverseDiagonal<N> inverse_;
+};
+
+/// Inverse of a dense block by Gauss and Jordan with row exchanges, in double precision.
+template <int N> void invert(const float* block, float* inverse) {
+  double m[N][2 * N] = {};
+  for (int r = 0; r < N; ++r) {
+    for (int c = 0; c < N; ++c)
+      m[r][c] = block[c * padded(N) + r];
+    m[r][N + r] = 1.0;
+  }
+  for (int c = 0; c < N; ++c) {
+    int pivot = c;
+    for (int r = c + 1; r < N; ++r)
+      if (std::fabs(m[r][c]) > std::fabs(m[pivot][c]))
+        pivot = r;
+    if (m[pivot][c] == 0.0)
+      m[pivot = c][c] = 1.0;
+    for (int k = 0; k < 2 * N; ++k)
+      std::swap(m[c][k], m[pivot][k]);
+    const double scale = 1.0 / m[c][c];
+    for (int k = 0; k < 2 * N; ++k)
+      m[c][k] *= scale;
+    for (int r = 0; r < N; ++r)
+      for (int k = 2 * N - 1; r != c && k >= c; --k)
+        m[r][k] -= m[r][c] * m[c][k];
+  }
+  for (int c = 0; c < N; ++c)
+    for (int r = 0; r < N; ++r)
+      inverse[c * padded(N) + r] = static_cast<float>(m[r][N + c]);
+}
+
+template <int N> InverseDiagonal<N>::InverseDiagonal(const BlockMatrix<float, N, N>& a) {
+  value_ = View<float>("multigrid: inverse diagonal", static_cast<std::size_t>(a.rows) * size);
+  for (Local i = 0; i < a.rows; ++i)
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
+      if (a.column(k) == i)
+        invert<N>(a.block(k), value_.data() + static_cast<std::size_t>(i) * size);
+}
+
+/// The blocks of `a` that `keep(row, column)` wants, each row forward or, from the last row on,
+/// backward.
+template <int N, class Keep>
+BlockMatrix<float, N, N> part_of(const BlockMatrix<float, N, N>& a, bool backward, Keep keep) {
+  std::vector<Local> offset{0}, column, from;
+  for (Local n = 0; n < a.rows; ++n) {
+    const Local i = backward ? a.rows - 1 - n : n;
+    const Local first = a.offset(i), last = a.offset(i + 1);
+    for (Local m = 0; m < last - first; ++m) {
+      const Local k = backward ? last - 1 - m : first + m;
+      if (keep(i, a.column(k)))
+        column.push_back(a.column(k)), from.push_back(k);
+    }
+    offset.push_back(static_cast<Local>(column.size()));
+  }
+  auto part = make_block_matrix<float, N, N>(offset, column);
+  for (std::size_t k = 0; k < from.size(); ++k)
+    std::copy_n(a.block(from[k]), a.block_size, part.block(static_cast<Local>(k)));
+  return part;
+}
+
+template <int N>
+GaussSeidel<N>::GaussSeidel(const Blocks& a, InverseDiagonal<N> inverse)
+    : lower_(part_of<N>(a, false, [](Local i, Local j) { return j < i; })),
+      upper_(part_of<N>(a, true, [&](Local i, Local j) { return j > i && j < a.rows; })),
+      ghost_(part_of<N>(a, false, [&](Local, Local j) { return j >= a.rows; })),
+      inverse_(std::move(inverse)) {}
+
+template <int N> void GaussSeidel<N>::forward_from_zero(const float* b, float* x) const {
+  for (Local i = 0; i < lower_.rows; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i) * padded(N);
+    inverse_.times(i, Pack<float, N>::load(b + at) - lower_.row_product(i, x)).store(x + at);
+  }
+}
+
+/// r = -(U + ghost columns) x.
+template <int N> struct UpperResidual {
+  BlockMatrix<float, N, N> upper, ghost;
+  const float* x;
+  float* r;
+
+  KOKKOS_INLINE_FUNCTION void operator()(Local i) const {
+    const auto product = upper.row_product(upper.rows - 1 - i, x) + ghost.row_product(i, x);
+    (Pack<float, N>{} - product).store(r + static_cast<std::size_t>(i) * padded(N));
+  }
+};
+
+template <int N> void GaussSeidel<N>::residual_after_forward(const float* x, float* r) const {
+  Kokkos::parallel_for("abut::multigrid::residual", Range(0, lower_.rows),
+                       UpperResidual<N>{upper_, ghost_, x, r});
+}
+
+/// w = b - (L + ghost columns) x.
+template <int N> struct LowerResidual {
+  BlockMatrix<float, N, N> lower, ghost;
+  const float *b, *x;
+  float* w;
+
+  KOKKOS_INLINE_FUNCTION void operator()(Local i) const {
+    const std::size_t at = static_cast<std::size_t>(i) * padded(N);
+    const auto product = lower.row_product(i, x) + ghost.row_product(i, x);
+    (Pack<float, N>::load(b + at) - product).store(w + at);
+  }
+};
+
+/// x_i = D_i^-1 (b_i - L x_old - U x_new): the lower part is taken before the sweep begins, as it
+/// multiplies old values only.
+template <int N> void GaussSeidel<N>::backward(const float* b, float* x, float* work) const {
+  Kokkos::parallel_for("abut::multigrid::lower_residual", Range(0, lower_.rows),
+                       LowerResidual<N>{lower_, ghost_, b, x, work});
+  for (Local n = 0; n < upper_.rows; ++n) {
+    const Local i = upper_.rows - 1 - n;
+    const std::size_t at = static_cast<std::size_t>(i) * padded(N);
+    inverse_.times(i, Pack<float, N>::load(work + at) - upper_.row_product(n, x)).store(x + at);
+  }
+}
+
+} // namespace abut::multigrid

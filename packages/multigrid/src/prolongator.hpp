@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "aggregates.hpp"
+#include "abut/core/comm.hpp"
+#include "gauss_seidel.hpp"
+#include "products.hpp"
+#include "row_messages.hpp"
+
+#include <cmath>
+
+namespace abut::multigrid {
+
+template <int N> double squared_norm(const float* block) {
+  double sum = 0.0;
+  for (int v = 0; v < padded(N) * N; ++v)
+    sum += double(block[v]) * block[v];
+  return sum;
+}
+
+/// Couplings of the owned rows with |A_ij| > strength * sqrt(|A_ii| |A_jj|).
+template <int N> StrengthGraph strength_graph(const BlockMatrix<float, N, N>& a, double strength) {
+  std::vector<double> diagonal(static_cast<std::size_t>(a.rows), 0.0);
+  for (Local i = 0; i < a.rows; ++i)
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
+      if (a.column(k) == i)
+        diagonal[std::size_t(i)] = squared_norm<N>(a.block(k));
+  StrengthGraph graph;
+  for (Local i = 0; i < a.rows; ++i) {
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
+      const Local j = a.column(k);
+      if (j == i || j >= a.rows)
+        continue;
+      const double size = squared_norm<N>(a.block(k));
+      const double limit = diagonal[std::size_t(i)] * diagonal[std::size_t(j)];
+      if (size > 0.0 && size * size > std::pow(strength, 4) * limit)
+        graph.neighbour.push_back(j);
+    }
+    graph.offset.push_back(static_cast<Local>(graph.neighbour.size()));
+  }
+  return graph;
+}
+
+/// Prolongator that is the near-null space on each aggregate: one block to a row.
+template <int N, int M> struct Tentative {
+  static constexpr int block_size = padded(N) * M;
+  Aggregates aggregates;
+  std::vector<float> block;  ///< (rows, M, padded(N))
+  std::vector<double> modes; ///< (aggregates, M, M) near-null space of the coarse rows
+};
+
+/// Makes the M columns of q (rows, M) orthonormal by modified Gram-Schmidt, twice; a column that
+/// depends on those before it becomes zero. Adds to upper the factor with q_old = q upper.
+template <int M> void orthonormalise(std::vector<double>& q, double* upper) {
+  constexpr double dependent = 1e-6; // of what a column was; its modes come from single precision
+  const std::size_t rows = q.size() / M;
+  const auto dot = [&](int s, int t) {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < rows; ++r)
+      sum += q[r * M + std::size_t(s)] * q[r * M + std::size_t(t)];
+    return sum;
+  };
+  for (int s = 0; s < M; ++s) {
+    const double before = std::sqrt(dot(s, s));
+    for (int pass = 0; pass < 2; ++pass)
+      for (int t = 0; t < s; ++t) {
+        const double share = dot(s, t);
+        upper[t * M + s] += share;
+        for (std::size_t r = 0; r < rows; ++r)
+          q[r * M + std::size_t(s)] -= share * q[r * M + std::size_t(t)];
+      }
+    const double size = std::sqrt(dot(s, s));
+    const bool keep = size > dependent * before;
+    upper[s * M + s] = keep ? size : 0.0;
+    for (std::size_t r = 0; r < rows; ++r)
+      q[r * M + std::size_t(s)] *= keep ? 1.0 / size : 0.0;
+  }
+}
+
+/// modes: (rows, N, M).
+template <int N, int M>
+Tentative<N, M> tentative_prolongator(Aggregates aggregates, const std::vector<double>& modes) {
+  const std::size_t rows = aggregates.of_row.size();
+  std::vector<std::vector<std::size_t>> members(std::size_t(aggregates.count));
+  for (std::size_t i = 0; i < rows; ++i)
+    if (aggregates.of_row[i] >= 0)
+      members[std::size_t(aggregates.of_row[i])].push_back(i);
+  Tentative<N, M> p;
+  p.block.assign(rows * p.block_size, 0.0F);
+  p.modes.assign(members.size() * M * M, 0.0);
+  std::vector<double> q;
+  for (std::size_t a = 0; a < members.size(); ++a) {
+    q.clear();
+    for (const std::size_t i : members[a])
+      q.insert(q.end(), modes.begin() + std::ptrdiff_t(i * N * M),
+               modes.begin() + std::ptrdiff_t((i + 1) * N * M));
+    orthonormalise<M>(q, p.modes.data() + a * M * M);
+    for (std::size_t n = 0; n < members[a].size(); ++n)
+      for (int r = 0; r < N; ++r)
+        for (int m = 0; m < M; ++m)
+          p.block[members[a][n] * p.block_size + std::size_t(m * padded(N) + r)] =
+              static_cast<float>(q[(n * N + std::size_t(r)) * M + std::size_t(m)]);
+  }
+  p.aggregates = std::move(aggregates);
+  return p;
+}
+
+/// Largest eigenvalue of D^-1 A by the power method, from below. Collective.
+template <int N>
+double largest_eigenvalue(const BlockMatrix<float, N, N>& a, const InverseDiagonal<N>& inverse,
+                          const Distribution& rows) {
+  constexpr int iterations = 10;
+  const auto size = static_cast<std::size_t>(rows.size()) * padded(N);
+  std::vector<float> x(size, 0.0F), y(size, 0.0F);
+  unsigned random = 1;
+  for (Local i = 0; i < rows.owned(); ++i)
+    for (int c = 0; c < N; ++c) {
+      random = random * 1664525U + 1013904223U;
+      x[static_cast<std::size_t>(i) * padded(N) + std::size_t(c)] =
+          static_cast<float>(random >> 8) / float(1 << 24) - 0.5F;
+    }
+  double size_before = 0.0, value = 1.0;
+  const auto squared = [&] {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(rows.owned()) * padded(N); ++k)
+      sum += double(x[k]) * x[k];
+    return rows.comm().sum(sum);
+  };
+  size_before = squared();
+  for (int n = 0; n < iterations && size_before > 0.0; ++n) {
+    const auto scale = static_cast<float>(1.0 / std::sqrt(size_before));
+    for (float& entry : x)
+      entry *= scale;
+    rows.exchange().to_ghosts(x.data(), padded(N));
+    multiply(a, x.data(), y.data());
+    for (Local i = 0; i < rows.owned(); ++i) {
+      const std::size_t at = static_cast<std::size_t>(i) * padded(N);
+      inverse.times(i, Pack<float, N>::load(y.data() + at)).store(x.data() + at);
+    }
+    size_before = squared();
+    value = std::sqrt(size_before);
+  }
+  return value;
+}
+
+/// Whether a block holds anything.
+template <int N> bool couples(const float* block) {
+  return squared_norm<N>(block) > 0.0;
+}
+
+/// A times a matrix with one block to each row, in the column given or none (-1).
+template <int N, int M>
+BlockMatrix<float, N, M> times_tentative(const BlockMatrix<float, N, N>& a,
+                                         const std::vector<Local>& column,
+                                         const std::vector<float>& block) {
+  std::vector<Local> offset{0}, columns, found;
+  for (Local i = 0; i < a.rows; ++i) {
+    found.clear();
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
+      if (const Local j = column[std::size_t(a.column(k))]; j >= 0 && couples<N>(a.block(k)))
+        found.push_back(j);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    columns.insert(columns.end(), found.begin(), found.end());
+    offset.push_back(static_cast<Local>(columns.size()));
+  }
+  auto product = make_block_matrix<float, N, M>(offset, columns);
+  for (Local i = 0; i < a.rows; ++i)
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
+      const Local j = column[std::size_t(a.column(k))];
+      if (j < 0 || !couples<N>(a.block(k)))
+        continue;
+      const auto* from = columns.data() + offset[std::size_t(i)];
+      const auto* to = columns.data() + offset[std::size_t(i) + 1];
+      const auto at = static_cast<Local>(std::lower_bound(from, to, j) - columns.data());
+      add_block_product<float, N, N, M>(
+          a.block(k), block.data() + std::size_t(a.column(k)) * padded(N) * M, product.block(at));
+    }
+  return product;
+}
+
+/// P = (I - weight D^-1 A) times the tentative prolongator. Columns: the aggregates of this rank,
+/// and those of others that its rows reach. Collective.
+template <int N, int M>
+DistributedRows<float, N, M>
+smoothed_prolongator(const BlockMatrix<float, N, N>& a, const InverseDiagonal<N>& inverse,
+                     Tentative<N, M>& tentative, const Distribution& rows, double weight) {
+  constexpr int block_size = Tentative<N, M>::block_size;
+  const auto first = first_rows(rows.comm(), tentative.aggregates.count);
+  const Distribution coarse(rows.comm(), first, {});
+  std::vector<Global> aggregate(static_cast<std::size_t>(rows.size()), -1);
+  for (Local i = 0; i < rows.owned(); ++i)
+    if (const Local own = tentative.aggregates.of_row[std::size_t(i)]; own >= 0)
+      aggregate[std::size_t(i)] = coarse.global(own);
+  tentative.block.resize(static_cast<std::size_t>(rows.size()) * block_size);
+  rows.exchange().to_ghosts(aggregate.data());
+  rows.exchange().to_ghosts(tentative.block.data(), block_size);
+
+  GhostList numbers(coarse, false);
+  std::vector<Local> column(aggregate.size(), -1);
+  for (std::size_t i = 0; i < aggregate.size(); ++i)
+    if (aggregate[i] >= 0)
+      column[i] = numbers.local(aggregate[i]);
+
+  BlockMatrix<float, N, M> product = times_tentative<N, M>(a, column, tentative.block);
+  for (Local i = 0; i < product.rows; ++i)
+    for (Local k = product.offset(i); k < product.offset(i + 1); ++k)
+      for (int m = 0; m < M; ++m) {
+        float* entry = product.block(k) + m * padded(N);
+        const auto change = inverse.times(i, Pack<float, N>::load(entry));
+        const bool own = product.column(k) == column[std::size_t(i)];
+        const float* old = tentative.block.data() + static_cast<std::size_t>(i) * block_size +
+                           static_cast<std::size_t>(m * padded(N));
+        for (int r = 0; r < N; ++r)
+          entry[r] = (own ? old[r] : 0.0F) - static_cast<float>(weight) * change.value[r];
+      }
+  return {product, Distribution(rows.comm(), first, numbers.ghosts())};
+}
+
+} // namespace abut::multigrid

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "abut/multigrid/multigrid.hpp"
+#include "lattice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace abut;
+using multigrid::Multigrid;
+using test::Lattice;
+
+std::vector<double> random_values(const Map& map, unsigned seed) {
+  std::vector<double> x(local_size(map));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto id = static_cast<unsigned>(map.getGlobalElement(Local(i)));
+    x[i] = std::sin(12.9898 * (id + 1) + 78.233 * seed);
+  }
+  return x;
+}
+
+double dot(const Comm& comm, const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return comm.sum(sum);
+}
+
+struct Problem {
+  explicit Problem(const Lattice& given, multigrid::Options options = {})
+      : lattice(given), matrix(test::stiffness(comm, given)), map(*matrix->getRowMap()),
+        cycle(comm,
+              multigrid::rigid_motions(comm, given.fields, test::row_places(map, given)), options) {
+    cycle.setup(*matrix);
+  }
+
+  std::vector<double> times(const std::vector<double>& x) const {
+    Vector from(matrix->getRowMap()), to(matrix->getRowMap());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      from.replaceLocalValue(Local(i), x[i]);
+    matrix->apply(from, to);
+    const auto view = to.getLocalViewHost(Tpetra::Access::ReadOnly);
+    std::vector<double> y(x.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] = view(i, 0);
+    return y;
+  }
+  std::vector<double> preconditioned(const std::vector<double>& b) const {
+    std::vector<double> x(b.size());
+    cycle.apply(b.data(), x.data());
+    return x;
+  }
+
+  /// Iterations of conjugate gradients to a residual of 1e-8.
+  int iterations() const {
+    std::vector<double> r = random_values(map, 1), x(r.size(), 0.0), p;
+    const double first = std::sqrt(dot(comm, r, r));
+    double before = 0.0;
+    for (int n = 0; n < 200; ++n) {
+      if (std::sqrt(dot(comm, r, r)) <= 1e-8 * first)
+        return n;
+      const auto z = preconditioned(r);
+      const double now = dot(comm, r, z);
+      if (n == 0)
+        p = z;
+      for (std::size_t i = 0; i < p.size() && n > 0; ++i)
+        p[i] = z[i] + now / before * p[i];
+      before = now;
+      const auto q = times(p);
+      const double step = now / dot(comm, p, q);
+      for (std::size_t i = 0; i < r.size(); ++i)
+        x[i] += step * p[i], r[i] -= step * q[i];
+    }
+    return 200;
+  }
+
+  Comm comm{MPI_COMM_WORLD};
+  Lattice lattice;
+  RCP<Matrix> matrix;
+  const Map& map;
+  Multigrid cycle;
+};
+
+class Fields : public testing::TestWithParam<int> {};
+
+TEST_P(Fields, IterationsDoNotGrowWithTheMesh) {
+  const int fields = GetParam();
+  const int coarse = fields == 2 ? 24 : 8, fine = 2 * coarse;
+  multigrid::Options options;
+  options.coarsest_unknowns = 100;
+  const Problem small({fields, coarse, coarse}, options), large({fields, fine, fine}, options);
+  EXPECT_GE(small.cycle.levels().size(), 2U);
+  EXPECT_GE(large.cycle.levels().size(), 3U);
+  const int before = small.iterations(), after = large.iterations();
+  RecordProperty("small", before);
+  RecordProperty("large", after);
+  std::printf("fields %d: %d and %d iterations, complexity %.2f\n", fields, before, after,
+              large.cycle.operator_complexity());
+  EXPECT_GE(before, 5) << "the cycle was no multigrid";
+  EXPECT_LE(after, 40);
+  EXPECT_LE(after, 1.5 * before);
+}
+
+TEST_P(Fields, CycleIsSymmetric) {
+  const Problem problem({GetParam(), 8, 10});
+  const auto u = random_values(problem.map, 2), v = random_values(problem.map, 3);
+  const auto bu = problem.preconditioned(u), bv = problem.preconditioned(v);
+  const double size = std::sqrt(dot(problem.comm, bu, bu) * dot(problem.comm, v, v));
+  EXPECT_GT(size, 0.0);
+  EXPECT_NEAR(dot(problem.comm, bu, v), dot(problem.comm, u, bv), 2e-6 * size);
+}
+
+TEST_P(Fields, RefreshOfTheSameValuesIsSetup) {
+  Problem problem({GetParam(), 8, 10});
+  const auto b = random_values(problem.map, 4);
+  const auto before = problem.preconditioned(b);
+  problem.cycle.refresh(*problem.matrix);
+  EXPECT_EQ(problem.preconditioned(b), before);
+}
+
+TEST_P(Fields, RefreshFollowsTheMatrix) {
+  Problem problem({GetParam(), 8, 10});
+  const auto b = random_values(problem.map, 4);
+  const auto before = problem.preconditioned(b);
+  problem.matrix->resumeFill();
+  problem.matrix->scale(4.0);
+  problem.matrix->fillComplete();
+  problem.cycle.refresh(*problem.matrix);
+  const auto after = problem.preconditioned(b);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    EXPECT_NEAR(4.0 * after[i], before[i], 1e-5 * (1.0 + std::fabs(before[i])));
+}
+
+INSTANTIATE_TEST_SUITE_P(One, Fields, testing::Values(1, 2, 3, 4));
+
+TEST(Cycle, SolvesASmallSystemOutright) {
+  const Problem problem({3, 2, 2});
+  EXPECT_EQ(problem.cycle.levels().size(), 1U);
+  EXPECT_LE(problem.iterations(), 3);
+}
+
+TEST(Cycle, TakesFlatBricks) {
+  Lattice lattice{3, 12, 12};
+  const int cubes = Problem(lattice).iterations();
+  lattice.flatness = 8.0;
+  const int flat = Problem(lattice).iterations();
+  std::printf("cubes %d, flat bricks %d iterations\n", cubes, flat);
+  EXPECT_LE(flat, 60);
+}
+
+TEST(Cycle, TakesANearlyIncompressibleBody) {
+  Lattice lattice{3, 10, 10};
+  lattice.poisson = 0.45;
+  EXPECT_LE(Problem(lattice).iterations(), 60);
+}
+
+} // namespace

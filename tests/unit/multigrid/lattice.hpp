@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/trilinos.hpp"
+#include "abut/multigrid/near_null_space.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace abut::test {
+
+/// A block of n x n x m bricks (n x m rectangles in the plane) whose bottom is fixed: stiffness of
+/// an elastic body, E = 1, Poisson's ratio given, with a field of heat beside it where there are
+/// four unknowns, or of heat alone where there is one. Rows lie on the ranks slice by slice.
+struct Lattice {
+  int fields = 3;
+  int n = 4, m = 4;
+  double flatness = 1.0; ///< edges of the base over the height of a brick
+  double poisson = 0.3;
+
+  int dim() const { return fields == 2 ? 2 : 3; }
+  Global nodes() const { return Global(n + 1) * (dim() == 3 ? n + 1 : 1) * (m + 1); }
+  std::array<int, 3> place(Global node) const {
+    const int base = n + 1, depth = dim() == 3 ? n + 1 : 1;
+    return {int(node % base), int(node / base % depth), int(node / base / depth)};
+  }
+  bool fixed(Global node) const { return place(node)[2] == 0; }
+  std::array<double, 3> point(Global node) const {
+    const auto p = place(node);
+    if (dim() == 2)
+      return {flatness * p[0], double(p[2]), 0.0};
+    return {flatness * p[0], flatness * p[1], double(p[2])};
+  }
+};
+
+/// Stiffness of one brick by two Gauss points to an edge: (corners, fields, corners, fields).
+inline std::vector<double> brick(const Lattice& lattice) {
+  const int dim = lattice.dim(), corners = 1 << dim, f = lattice.fields;
+  const double mu = 0.5 / (1.0 + lattice.poisson);
+  const double lambda = 2.0 * mu * lattice.poisson / (1.0 - 2.0 * lattice.poisson);
+  std::array<double, 3> edge{lattice.flatness, lattice.flatness, 1.0};
+  if (dim == 2)
+    edge = {lattice.flatness, 1.0, 1.0};
+  std::vector<double> k(std::size_t(corners * f * corners * f), 0.0);
+  for (int point = 0; point < corners; ++point) {
+    std::vector<std::array<double, 3>> gradient(static_cast<std::size_t>(corners));
+    double weight = 1.0;
+    for (int d = 0; d < dim; ++d)
+      weight *= 0.5 * edge[std::size_t(d)];
+    for (int a = 0; a < corners; ++a)
+      for (int d = 0; d < dim; ++d) {
+        double g = (a >> d & 1 ? 1.0 : -1.0) / edge[std::size_t(d)];
+        for (int e = 0; e < dim; ++e)
+          if (e != d)
+            g *= 0.5 * (1.0 + (a >> e & 1 ? 1.0 : -1.0) * (point >> e & 1 ? 1.0 : -1.0) /
+                                  std::sqrt(3.0));
+        gradient[std::size_t(a)][std::size_t(d)] = g;
+      }
+    for (int a = 0; a < corners; ++a)
+      for (int b = 0; b < corners; ++b) {
+        const auto &ga = gradient[std::size_t(a)], &gb = gradient[std::size_t(b)];
+        double dot = 0.0;
+        for (int d = 0; d < dim; ++d)
+          dot += ga[std::size_t(d)] * gb[std::size_t(d)];
+        for (int i = 0; i < f; ++i)
+          for (int j = 0; j < f; ++j) {
+            double& entry = k[std::size_t(((a * f + i) * corners + b) * f + j)];
+            const bool heat = f == 1 || i == 3 || j == 3;
+            if (heat)
+              entry += i == j ? weight * dot : 0.0;
+            else
+              entry += weight * (lambda * ga[std::size_t(i)] * gb[std::size_t(j)] +
+                                 mu * ga[std::size_t(j)] * gb[std::size_t(i)] +
+                                 (i == j ? mu * dot : 0.0));
+          }
+      }
+  }
+  return k;
+}
+
+/// The matrix, with fixed rows and columns that hold only a unit diagonal. Collective.
+inline RCP<Matrix> stiffness(const Comm& comm, const Lattice& lattice) {
+  const int dim = lattice.dim(), corners = 1 << dim, f = lattice.fields;
+  const Global slices = lattice.m + 1, slice = lattice.nodes() / slices;
+  const Global first = slices * comm.rank() / comm.size() * slice;
+  const Global last = slices * (comm.rank() + 1) / comm.size() * slice;
+  const auto map = rcp(new Map(std::size_t(lattice.nodes() * f), std::size_t((last - first) * f), 0,
+                               teuchos_comm(comm)));
+  std::map<std::pair<Global, Global>, double> entry;
+  const auto k = brick(lattice);
+  for (Global node = 0; node < lattice.nodes(); ++node) {
+    const auto p = lattice.place(node);
+    if (p[0] == lattice.n || (dim == 3 && p[1] == lattice.n) || p[2] == lattice.m)
+      continue;
+    const auto corner = [&](int a) {
+      const int up = dim == 3 ? a >> 2 & 1 : a >> 1 & 1, across = dim == 3 ? a >> 1 & 1 : 0;
+      return node + (a & 1) + Global(across) * (lattice.n + 1) + Global(up) * slice;
+    };
+    for (int a = 0; a < corners; ++a)
+      for (int b = 0; b < corners; ++b) {
+        const Global row = corner(a), column = corner(b);
+        if (row < first || row >= last || lattice.fixed(row) || lattice.fixed(column))
+          continue;
+        for (int i = 0; i < f; ++i)
+          for (int j = 0; j < f; ++j)
+            entry[{row * f + i, column * f + j}] +=
+                k[std::size_t(((a * f + i) * corners + b) * f + j)];
+      }
+  }
+  for (Global row = first; row < last; ++row)
+    for (int i = 0; i < f && lattice.fixed(row); ++i)
+      entry[{row * f + i, row * f + i}] = 1.0;
+  const auto matrix = rcp(new Matrix(map, std::size_t(27 * f)));
+  for (const auto& [at, value] : entry)
+    matrix->insertGlobalValues(at.first, Teuchos::tuple(at.second), Teuchos::tuple(value));
+  matrix->fillComplete();
+  return matrix;
+}
+
+/// Places of this rank's rows.
+inline std::vector<multigrid::RowPlace> row_places(const Map& map, const Lattice& lattice) {
+  std::vector<multigrid::RowPlace> places(local_size(map) / std::size_t(lattice.fields));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i].point =
+        lattice.point(map.getGlobalElement(Local(i) * lattice.fields) / lattice.fields);
+  return places;
+}
+
+} // namespace abut::test
