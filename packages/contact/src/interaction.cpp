@@ -204,8 +204,9 @@ void Interaction::Parts::build_pairs() {
   Connectivity cells;
   pairs = make_pairs(data.primary(), data.facing(), data.points, cells);
   if (data.nodal)
-    node_cells.build(data.comm, data.surface(), data.corners, data.nodal->arrays(), pairs,
-                     [this](const NodeRowArrays& rows) { add_node_rows(rows); }, cells);
+    node_cells.build(
+        data.comm, data.surface(), data.corners, data.nodal->arrays(), pairs,
+        [this](const NodeRowArrays& rows) { add_node_rows(rows); }, cells);
   if (cells.nodes == connectivity.nodes && cells.offsets == connectivity.offsets)
     return;
   connectivity = std::move(cells);
@@ -279,13 +280,12 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
   const InterfaceData& data = parts_->data;
   const Settings& o = settings();
   int singular = 0;
-  Kokkos::parallel_reduce("abut::contact::tangent", Range(0, parts_->pairs.size()),
-                          PairTangent{data.primary(), data.facing(), data.points, parts_->pairs,
-                                      data.terms, scatter,
-                                      !parts_->exact_tangent && parts_->iterates < early_iterates,
-                                      o.tangent == Tangent::automatic,
-                                      o.tangent == Tangent::symmetric},
-                          singular);
+  Kokkos::parallel_reduce(
+      "abut::contact::tangent", Range(0, parts_->pairs.size()),
+      PairTangent{data.primary(), data.facing(), data.points, parts_->pairs, data.terms, scatter,
+                  !parts_->exact_tangent && parts_->iterates < early_iterates,
+                  o.tangent == Tangent::automatic, o.tangent == Tangent::symmetric},
+      singular);
   if (data.nodal) {
     parts_->node_cells.refill([this](const NodeRowArrays& r) { parts_->add_node_rows(r); });
     const NodeRowArrays& rows = parts_->node_cells.rows();

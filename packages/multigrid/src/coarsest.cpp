@@ -9,7 +9,8 @@ template <int N>
 Coarsest::Coarsest(const BlockMatrix<float, N, N>& a, const Distribution& rows)
     : comm_(rows.comm()), width_(N), stride_(padded(N)),
       begin_(static_cast<std::size_t>(rows.first()[std::size_t(rows.comm().rank())]) * N),
-      owned_(static_cast<std::size_t>(a.rows) * N), size_(static_cast<std::size_t>(rows.total()) * N) {
+      owned_(static_cast<std::size_t>(a.rows) * N),
+      size_(static_cast<std::size_t>(rows.total()) * N) {
   std::vector<double> mine(owned_ * size_, 0.0);
   for (Local i = 0; i < a.rows; ++i)
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)

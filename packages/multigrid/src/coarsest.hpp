@@ -24,7 +24,7 @@ private:
   void factor();
 
   std::optional<Comm> comm_;
-  int width_ = 1, stride_ = 1; ///< unknowns of a row, and its length in vectors
+  int width_ = 1, stride_ = 1;                   ///< unknowns of a row, and its length in vectors
   std::size_t begin_ = 0, owned_ = 0, size_ = 0; ///< unknowns
   std::vector<double> factors_;                  ///< (size, size) by columns
   std::vector<int> pivots_;

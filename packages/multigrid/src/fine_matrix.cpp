@@ -55,8 +55,7 @@ template <int N> BlockMatrix<float, N, N> FineMatrix<N>::blocks(const Matrix& ma
   return a;
 }
 
-template <int N>
-std::vector<char> FineMatrix<N>::constrained(const BlockMatrix<float, N, N>& a) {
+template <int N> std::vector<char> FineMatrix<N>::constrained(const BlockMatrix<float, N, N>& a) {
   std::vector<char> result(static_cast<std::size_t>(a.rows) * N, 1);
   for (Local i = 0; i < a.rows; ++i)
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)

@@ -49,8 +49,8 @@ std::optional<Level<N, M>> coarsen(const BlockMatrix<float, N, N>& a, const Dist
                                    std::vector<double>& modes, const Options& options) {
   constexpr double worthwhile = 0.7; // rows of the next level over those of this one
   const InverseDiagonal<N> inverse(a);
-  auto tentative = tentative_prolongator<N, M>(
-      aggregate(strength_graph<N>(a, options.strength)), modes);
+  auto tentative =
+      tentative_prolongator<N, M>(aggregate(strength_graph<N>(a, options.strength)), modes);
   const Global coarse_rows = rows.comm().sum(static_cast<Global>(tentative.aggregates.count));
   if (coarse_rows == 0 || double(coarse_rows) > worthwhile * double(rows.total()))
     return std::nullopt;
@@ -59,8 +59,14 @@ std::optional<Level<N, M>> coarsen(const BlockMatrix<float, N, N>& a, const Dist
       options.prolongator_damping / (safety * largest_eigenvalue<N>(a, inverse, rows));
   auto p = smoothed_prolongator<N, M>(a, inverse, tentative, rows, weight);
   modes = std::move(tentative.modes);
-  Level<N, M> level{rows, GaussSeidel<N>(a, inverse), p.matrix,
-                    transpose(p.matrix, p.columns.size()), p.columns, {}, {}, {},
+  Level<N, M> level{rows,
+                    GaussSeidel<N>(a, inverse),
+                    p.matrix,
+                    transpose(p.matrix, p.columns.size()),
+                    p.columns,
+                    {},
+                    {},
+                    {},
                     rows.comm().sum(static_cast<Global>(a.blocks()))};
   for (auto* vector : {&level.b, &level.x, &level.work})
     vector->assign(static_cast<std::size_t>(rows.size()) * padded(N), 0.0F);

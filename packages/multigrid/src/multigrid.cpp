@@ -127,8 +127,7 @@ private:
     return product_of(level, a);
   }
 
-  template <int K>
-  void finish(const BlockMatrix<float, K, K>& a, const Distribution& rows) {
+  template <int K> void finish(const BlockMatrix<float, K, K>& a, const Distribution& rows) {
     coarsest_ = Coarsest(a, rows);
     last_ = {rows.total(), comm_.sum(static_cast<Global>(a.blocks())), K};
     coarsest_b_.assign(static_cast<std::size_t>(rows.size()) * padded(K), 0.0F);
@@ -171,10 +170,18 @@ private:
 
 Multigrid::Multigrid(const Comm& comm, const NearNullSpace& modes, const Options& options) {
   switch (modes.fields) {
-  case 1: hierarchy_ = std::make_unique<Levels<1>>(comm, modes, options); return;
-  case 2: hierarchy_ = std::make_unique<Levels<2>>(comm, modes, options); return;
-  case 3: hierarchy_ = std::make_unique<Levels<3>>(comm, modes, options); return;
-  case 4: hierarchy_ = std::make_unique<Levels<4>>(comm, modes, options); return;
+  case 1:
+    hierarchy_ = std::make_unique<Levels<1>>(comm, modes, options);
+    return;
+  case 2:
+    hierarchy_ = std::make_unique<Levels<2>>(comm, modes, options);
+    return;
+  case 3:
+    hierarchy_ = std::make_unique<Levels<3>>(comm, modes, options);
+    return;
+  case 4:
+    hierarchy_ = std::make_unique<Levels<4>>(comm, modes, options);
+    return;
   }
   ABUT_REQUIRE(false, "multigrid takes one to four unknowns to a row");
 }

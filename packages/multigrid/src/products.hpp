@@ -8,8 +8,7 @@
 namespace abut::multigrid {
 
 /// c += a b, dense blocks by padded columns.
-template <class T, int R, int K, int C>
-void add_block_product(const T* a, const T* b, T* c) {
+template <class T, int R, int K, int C> void add_block_product(const T* a, const T* b, T* c) {
   for (int j = 0; j < C; ++j, b += padded(K), c += padded(R)) {
     auto sum = Pack<T, R>::load(c);
     add_product<T, R, K>(a, b, sum);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "aggregates.hpp"
 #include "abut/core/comm.hpp"
+#include "aggregates.hpp"
 #include "gauss_seidel.hpp"
 #include "products.hpp"
 #include "row_messages.hpp"

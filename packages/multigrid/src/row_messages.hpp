@@ -26,8 +26,8 @@ public:
     value.insert(value.end(), a.block(a.offset(row)), a.block(a.offset(row + 1)));
   }
 
-  /// Sends all rows, and calls take(number, column, block) for each block that arrives, in the order
-  /// of the ranks. Collective.
+  /// Sends all rows, and calls take(number, column, block) for each block that arrives, in the
+  /// order of the ranks. Collective.
   template <class Take> void deliver(const Take& take) {
     if (!arrived_) {
       head_ = comm_.exchange(head_), value_ = comm_.exchange(value_);
@@ -111,8 +111,8 @@ DistributedRows<T, R, C> with_ghost_rows(const BlockMatrix<T, R, C>& owned,
   return {lists.matrix(), Distribution(rows.comm(), columns.first(), numbers.ghosts())};
 }
 
-/// Adds the ghost rows of a matrix to those of their owners. The ghosts of `rows` are the first ones
-/// of the columns that result. columns: of `parts`. Collective.
+/// Adds the ghost rows of a matrix to those of their owners. The ghosts of `rows` are the first
+/// ones of the columns that result. columns: of `parts`. Collective.
 template <class T, int R, int C>
 DistributedRows<T, R, C> sum_to_owners(const BlockMatrix<T, R, C>& parts, const Distribution& rows,
                                        const Distribution& columns) {

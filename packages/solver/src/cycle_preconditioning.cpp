@@ -11,8 +11,8 @@ namespace {
 class CyclePreconditioning : public Preconditioning {
 public:
   explicit CyclePreconditioning(const NonlinearSystem& system) {
-    const auto mpi = Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(
-        system.map()->getComm(), true);
+    const auto mpi =
+        Teuchos::rcp_dynamic_cast<const Teuchos::MpiComm<int>>(system.map()->getComm(), true);
     const Comm comm(*mpi->getRawMpiComm());
     const auto modes =
         multigrid::rigid_motions(comm, system.unknowns_per_node(), system.row_places());

@@ -41,10 +41,13 @@ std::unique_ptr<Preconditioning> make_preconditioning(const LinearOptions& optio
                                                       const NonlinearSystem& system,
                                                       const LogSink& log) {
   switch (options.preconditioner) {
-  case Preconditioner::muelu: return make_muelu_preconditioning(options, system, log);
-  case Preconditioner::ilu: return make_ilu_preconditioning(options);
+  case Preconditioner::muelu:
+    return make_muelu_preconditioning(options, system, log);
+  case Preconditioner::ilu:
+    return make_ilu_preconditioning(options);
   case Preconditioner::automatic:
-  case Preconditioner::multigrid: break;
+  case Preconditioner::multigrid:
+    break;
   }
   if (takes_cycle(system))
     return make_cycle_preconditioning(system);
@@ -193,8 +196,7 @@ void KrylovSolver::forget() {
   implementation_->forget();
 }
 
-void KrylovSolver::do_setup(const RCP<const Matrix>& matrix, long graph_version,
-                            bool symmetric) {
+void KrylovSolver::do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) {
   implementation_->set_matrix(matrix, graph_version, symmetric);
 }
 

@@ -167,7 +167,7 @@ TEST_P(Friction, AugmentationTakesAwayTheElasticSlip) {
   EXPECT_NEAR(plates.pair->augmentation().gap, 0.003 / 0.5, 1e-12); // motion in stick
   plates.pair->augment();
   EXPECT_NEAR(plates.force(0.0, 0.0, 0.0)[0], -0.3, 1e-12); // back at the anchor, with the force
-  plates.pair->iterate_taken(); // until then the status is held
+  plates.pair->iterate_taken();                             // until then the status is held
   plates.force(0.1, 0.0, 0.0);
   plates.pair->augment();
   const Vec3 f = plates.force(0.1, 0.0, 0.0);
@@ -310,8 +310,7 @@ TEST(InteractionOptions, CallbackReplacesTheUpdate) {
   contact::ContactOptions o = with_penalty(100.0);
   o.enforcement = contact::Enforcement::augmented_lagrangian;
   Plates plates(o);
-  plates.pair->set_update(
-      [](const contact::Site&, double& pressure, Vec3&) { pressure *= 0.5; });
+  plates.pair->set_update([](const contact::Site&, double& pressure, Vec3&) { pressure *= 0.5; });
   plates.force(0, 0, -0.01);
   plates.pair->augment();
   EXPECT_NEAR(plates.force(0, 0, -0.01)[2], 1.5, 1e-12);

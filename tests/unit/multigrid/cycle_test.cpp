@@ -29,8 +29,8 @@ double dot(const Comm& comm, const std::vector<double>& a, const std::vector<dou
 struct Problem {
   explicit Problem(const Lattice& given, multigrid::Options options = {})
       : lattice(given), matrix(test::stiffness(comm, given)), map(*matrix->getRowMap()),
-        cycle(comm,
-              multigrid::rigid_motions(comm, given.fields, test::row_places(map, given)), options) {
+        cycle(comm, multigrid::rigid_motions(comm, given.fields, test::row_places(map, given)),
+              options) {
     cycle.setup(*matrix);
   }
 

@@ -54,8 +54,8 @@ inline std::vector<double> brick(const Lattice& lattice) {
         double g = (a >> d & 1 ? 1.0 : -1.0) / edge[std::size_t(d)];
         for (int e = 0; e < dim; ++e)
           if (e != d)
-            g *= 0.5 * (1.0 + (a >> e & 1 ? 1.0 : -1.0) * (point >> e & 1 ? 1.0 : -1.0) /
-                                  std::sqrt(3.0));
+            g *= 0.5 *
+                 (1.0 + (a >> e & 1 ? 1.0 : -1.0) * (point >> e & 1 ? 1.0 : -1.0) / std::sqrt(3.0));
         gradient[std::size_t(a)][std::size_t(d)] = g;
       }
     for (int a = 0; a < corners; ++a)
@@ -71,9 +71,9 @@ inline std::vector<double> brick(const Lattice& lattice) {
             if (heat)
               entry += i == j ? weight * dot : 0.0;
             else
-              entry += weight * (lambda * ga[std::size_t(i)] * gb[std::size_t(j)] +
-                                 mu * ga[std::size_t(j)] * gb[std::size_t(i)] +
-                                 (i == j ? mu * dot : 0.0));
+              entry += weight *
+                       (lambda * ga[std::size_t(i)] * gb[std::size_t(j)] +
+                        mu * ga[std::size_t(j)] * gb[std::size_t(i)] + (i == j ? mu * dot : 0.0));
           }
       }
   }

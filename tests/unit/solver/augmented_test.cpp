@@ -109,8 +109,8 @@ TEST_F(Augmented, FinerToleranceIsNoNewSolve) {
                                         SolveKind::after_augmentation}));
 }
 
-// Beside large forces elsewhere that of an augmentation is small; multipliers that grew again before
-// it has moved anything would grow for nothing.
+// Beside large forces elsewhere that of an augmentation is small; multipliers that grew again
+// before it has moved anything would grow for nothing.
 TEST_F(Augmented, MovesBetweenAugmentationsBesideLargeForces) {
   system.reference = 5e3;
   const auto augment = [&](int) {

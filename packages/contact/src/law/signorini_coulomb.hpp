@@ -10,7 +10,7 @@ namespace abut::contact {
 
 /// What the law reads beside the site.
 struct LawTerms {
-  double friction = 0.0; ///< mu at the present time [1]
+  double friction = 0.0;   ///< mu at the present time [1]
   bool predicting = false; ///< see SolveKind::prediction
   bool literal = false;    ///< slip by the printed theory: the shear is not decided here
 };
@@ -28,8 +28,7 @@ KOKKOS_INLINE_FUNCTION bool stays_open(const SitePast& past, double size) {
 KOKKOS_INLINE_FUNCTION Keep kept_status(const SiteIterate& iterate, const LawTerms& law) {
   if (law.predicting)
     return iterate.last.slips ? Keep::slip : Keep::stick;
-  if (!iterate.frozen || iterate.rule == PointRule::open ||
-      iterate.rule == PointRule::frictionless)
+  if (!iterate.frozen || iterate.rule == PointRule::open || iterate.rule == PointRule::frictionless)
     return Keep::nothing;
   const bool sticks =
       iterate.rule == PointRule::incremental_stick || iterate.rule == PointRule::anchored;
@@ -41,9 +40,8 @@ KOKKOS_INLINE_FUNCTION ShearChoice choose_status(const SiteReading& r, const Sit
                                                  const LawTerms& law, const Vec3& trial,
                                                  const Vec3& normal, double pressure) {
   const double share = r.soft > 0.0 && r.soft < r.penalty ? r.soft / r.penalty : 1.0;
-  return choose_shear(iterate.last, trial, normal,
-                      law.friction * (pressure > 0.0 ? pressure : 0.0), share,
-                      kept_status(iterate, law));
+  return choose_shear(iterate.last, trial, normal, law.friction * (pressure > 0.0 ? pressure : 0.0),
+                      share, kept_status(iterate, law));
 }
 
 /// Shear of a site that presses, by radial return of the trial w = P (lambda_T - eps theta r).
@@ -70,14 +68,13 @@ KOKKOS_INLINE_FUNCTION void set_shear(const SiteReading& r, const SitePast& past
   s.settled = choice.settled;
 }
 
-/// The state of a site. With `literal` friction a pressed site comes back as PointRule::literal_slip
-/// and without its shear.
+/// The state of a site. With `literal` friction a pressed site comes back as
+/// PointRule::literal_slip and without its shear.
 KOKKOS_INLINE_FUNCTION SiteState decide(const SiteReading& r, const SitePast& past,
                                         const SiteIterate& iterate, const LawTerms& law) {
   SiteState s;
   const bool was_open = iterate.rule == PointRule::open;
-  if (!r.covered || (iterate.frozen && was_open) ||
-      (law.predicting && stays_open(past, r.size)))
+  if (!r.covered || (iterate.frozen && was_open) || (law.predicting && stays_open(past, r.size)))
     return s;
   const double pressure = r.multiplier - r.penalty * r.gap;
   // At the kink itself the stiff side of the derivative is taken: bodies that just touch hold.

@@ -24,8 +24,8 @@ struct Options {
 };
 
 struct LevelReport {
-  Global rows = 0;            ///< block rows on all ranks
-  Global blocks = 0;          ///< blocks of the matrix on all ranks
+  Global rows = 0;   ///< block rows on all ranks
+  Global blocks = 0; ///< blocks of the matrix on all ranks
   int unknowns_per_row = 0;
 };
 

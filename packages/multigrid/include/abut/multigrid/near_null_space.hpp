@@ -18,7 +18,8 @@ enum class RowKind : char {
 /// What a block row stands for, and where.
 struct RowPlace {
   RowKind kind = RowKind::node;
-  std::array<double, 3> point{}; ///< reference position of the node or of the body's centre [length]
+  std::array<double, 3>
+      point{};       ///< reference position of the node or of the body's centre [length]
   double unit = 1.0; ///< displacement that is one unknown, of a rotation at this arm [length]
 };
 
