@@ -12,7 +12,8 @@ namespace abut::multigrid {
 template <int N> class InverseDiagonal {
 public:
   InverseDiagonal() = default;
-  explicit InverseDiagonal(const BlockMatrix<float, N, N>& a);
+  /// border: (rows, padded(N)) added to the diagonal, or empty.
+  explicit InverseDiagonal(const BlockMatrix<float, N, N>& a, const View<float>& border = {});
 
   KOKKOS_INLINE_FUNCTION Pack<float, N> times(Local i, const Pack<float, N>& x) const {
     Pack<float, N> y;
@@ -26,6 +27,13 @@ private:
   View<float> value_; ///< (rows, N, padded(N))
 };
 
+/// What is added to the diagonal of rows with columns of other ranks. Between ranks the sweep is
+/// Jacobi's, which diverges where strong couplings cross; with half the sum of a row's sizes there
+/// on the diagonal it converges for any partition. Rows where that is little are left as they are.
+/// Baker, Falgout, Kolev, Yang, Multigrid smoothers for ultraparallel computing, SIAM J. Sci.
+/// Comput. 33 (2011), section 6.
+template <int N> View<float> border_weights(const BlockMatrix<float, N, N>& a);
+
 /// Block Gauss-Seidel on the owned rows; values of ghosts are those of the last exchange. The
 /// matrix is kept in parts that each sweep reads from front to back: a sweep is bound by memory.
 template <int N> class GaussSeidel {
@@ -34,23 +42,25 @@ public:
 
   GaussSeidel() = default;
   /// a: rows sorted by column; columns from the number of rows on are ghosts.
-  GaussSeidel(const Blocks& a, InverseDiagonal<N> inverse);
+  explicit GaussSeidel(const Blocks& a);
 
-  /// One forward sweep from x = 0: x = (L + D)^-1 b.
+  /// One forward sweep from x = 0: x = (L + D)^-1 b, D with the border's weights.
   void forward_from_zero(const float* b, float* x) const;
-  /// r = b - A x after forward_from_zero and an exchange of x. Needs no b: b - (L + D) x = 0.
+  /// r = b - A x after forward_from_zero and an exchange of x. Needs no b, as b = (L + D) x.
   void residual_after_forward(const float* x, float* r) const;
   /// One backward sweep. x: its ghosts exchanged. work: (rows, padded).
   void backward(const float* b, float* x, float* work) const;
 
   std::size_t bytes() const {
-    return lower_.bytes() + upper_.bytes() + ghost_.bytes() + inverse_.bytes();
+    return lower_.bytes() + upper_.bytes() + ghost_.bytes() + inverse_.bytes() +
+           border_.size() * sizeof(float);
   }
 
 private:
-  Blocks lower_; ///< strictly lower blocks
-  Blocks upper_; ///< strictly upper blocks, the last row first, columns descending
-  Blocks ghost_; ///< blocks in columns of other ranks
+  Blocks lower_;       ///< strictly lower blocks
+  Blocks upper_;       ///< strictly upper blocks, the last row first, columns descending
+  Blocks ghost_;       ///< blocks in columns of other ranks
+  View<float> border_; ///< (rows, padded(N)), empty where no row has such columns
   InverseDiagonal<N> inverse_;
 };
 
@@ -83,12 +93,44 @@ template <int N> void invert(const float* block, float* inverse) {
       inverse[c * padded(N) + r] = static_cast<float>(m[r][N + c]);
 }
 
-template <int N> InverseDiagonal<N>::InverseDiagonal(const BlockMatrix<float, N, N>& a) {
+template <int N>
+InverseDiagonal<N>::InverseDiagonal(const BlockMatrix<float, N, N>& a, const View<float>& border) {
   value_ = View<float>("multigrid: inverse diagonal", static_cast<std::size_t>(a.rows) * size);
+  float block[size];
   for (Local i = 0; i < a.rows; ++i)
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
+      if (a.column(k) != i)
+        continue;
+      std::copy_n(a.block(k), size, block);
+      for (int r = 0; r < N && border.size() > 0; ++r)
+        block[r * padded(N) + r] += border(static_cast<std::size_t>(i) * padded(N) + r);
+      invert<N>(block, value_.data() + static_cast<std::size_t>(i) * size);
+    }
+}
+
+template <int N> View<float> border_weights(const BlockMatrix<float, N, N>& a) {
+  constexpr float little = 1.0F / 3.0F; // of the diagonal
+  View<float> weight;
+  for (Local i = 0; i < a.rows; ++i) {
+    float sum[N] = {}, diagonal[N] = {};
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
-      if (a.column(k) == i)
-        invert<N>(a.block(k), value_.data() + static_cast<std::size_t>(i) * size);
+      for (int c = 0; c < N; ++c)
+        for (int r = 0; r < N; ++r) {
+          const float entry = std::fabs(a.block(k)[c * padded(N) + r]);
+          if (a.column(k) >= a.rows)
+            sum[r] += 0.5F * entry;
+          else if (a.column(k) == i && r == c)
+            diagonal[r] = entry;
+        }
+    for (int r = 0; r < N; ++r) {
+      if (sum[r] <= little * diagonal[r])
+        continue;
+      if (weight.size() == 0)
+        weight = View<float>("multigrid: border", static_cast<std::size_t>(a.rows) * padded(N));
+      weight(static_cast<std::size_t>(i) * padded(N) + r) = sum[r];
+    }
+  }
+  return weight;
 }
 
 /// The blocks of `a` that `keep(row, column)` wants, each row forward or, from the last row on,
@@ -113,11 +155,22 @@ BlockMatrix<float, N, N> part_of(const BlockMatrix<float, N, N>& a, bool backwar
 }
 
 template <int N>
-GaussSeidel<N>::GaussSeidel(const Blocks& a, InverseDiagonal<N> inverse)
+GaussSeidel<N>::GaussSeidel(const Blocks& a)
     : lower_(part_of<N>(a, false, [](Local i, Local j) { return j < i; })),
       upper_(part_of<N>(a, true, [&](Local i, Local j) { return j > i && j < a.rows; })),
       ghost_(part_of<N>(a, false, [&](Local, Local j) { return j >= a.rows; })),
-      inverse_(std::move(inverse)) {}
+      border_(border_weights<N>(a)), inverse_(a, border_) {}
+
+/// The border's weights times x, of one row.
+template <int N>
+KOKKOS_INLINE_FUNCTION Pack<float, N> border_product(const View<float>& border, std::size_t at,
+                                                     const float* x) {
+  Pack<float, N> y;
+  if (border.size() > 0)
+    for (int r = 0; r < padded(N); ++r)
+      y.value[r] = border(at + r) * x[at + r];
+  return y;
+}
 
 template <int N> void GaussSeidel<N>::forward_from_zero(const float* b, float* x) const {
   for (Local i = 0; i < lower_.rows; ++i) {
@@ -126,41 +179,44 @@ template <int N> void GaussSeidel<N>::forward_from_zero(const float* b, float* x
   }
 }
 
-/// r = -(U + ghost columns) x.
+/// r = (border - U - ghost columns) x.
 template <int N> struct UpperResidual {
   BlockMatrix<float, N, N> upper, ghost;
+  View<float> border;
   const float* x;
   float* r;
 
   KOKKOS_INLINE_FUNCTION void operator()(Local i) const {
     const auto product = upper.row_product(upper.rows - 1 - i, x) + ghost.row_product(i, x);
-    (Pack<float, N>{} - product).store(r + static_cast<std::size_t>(i) * padded(N));
+    const std::size_t at = static_cast<std::size_t>(i) * padded(N);
+    (border_product<N>(border, at, x) - product).store(r + at);
   }
 };
 
 template <int N> void GaussSeidel<N>::residual_after_forward(const float* x, float* r) const {
   Kokkos::parallel_for("abut::multigrid::residual", Range(0, lower_.rows),
-                       UpperResidual<N>{upper_, ghost_, x, r});
+                       UpperResidual<N>{upper_, ghost_, border_, x, r});
 }
 
-/// w = b - (L + ghost columns) x.
+/// w = b - (L + ghost columns - border) x.
 template <int N> struct LowerResidual {
   BlockMatrix<float, N, N> lower, ghost;
+  View<float> border;
   const float *b, *x;
   float* w;
 
   KOKKOS_INLINE_FUNCTION void operator()(Local i) const {
     const std::size_t at = static_cast<std::size_t>(i) * padded(N);
     const auto product = lower.row_product(i, x) + ghost.row_product(i, x);
-    (Pack<float, N>::load(b + at) - product).store(w + at);
+    (Pack<float, N>::load(b + at) - product + border_product<N>(border, at, x)).store(w + at);
   }
 };
 
-/// x_i = D_i^-1 (b_i - L x_old - U x_new): the lower part is taken before the sweep begins, as it
-/// multiplies old values only.
+/// x_i = D_i^-1 (b_i - (L - border) x_old - U x_new): the lower part is taken before the sweep
+/// begins, as it multiplies old values only.
 template <int N> void GaussSeidel<N>::backward(const float* b, float* x, float* work) const {
   Kokkos::parallel_for("abut::multigrid::lower_residual", Range(0, lower_.rows),
-                       LowerResidual<N>{lower_, ghost_, b, x, work});
+                       LowerResidual<N>{lower_, ghost_, border_, b, x, work});
   for (Local n = 0; n < upper_.rows; ++n) {
     const Local i = upper_.rows - 1 - n;
     const std::size_t at = static_cast<std::size_t>(i) * padded(N);

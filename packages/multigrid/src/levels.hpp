@@ -60,7 +60,7 @@ std::optional<Level<N, M>> coarsen(const BlockMatrix<float, N, N>& a, const Dist
   auto p = smoothed_prolongator<N, M>(a, inverse, tentative, rows, weight);
   modes = std::move(tentative.modes);
   Level<N, M> level{rows,
-                    GaussSeidel<N>(a, inverse),
+                    GaussSeidel<N>(a),
                     p.matrix,
                     transpose(p.matrix, p.columns.size()),
                     p.columns,

@@ -142,6 +142,8 @@ private:
       // Away from a solution a tangent may be indefinite: CG goes on, and the residual tells.
       list->set("Assert Positive Definiteness", false);
     } else {
+      // Flexible: what a preconditioner in single precision rounds does not limit the residual.
+      list->set("Flexible Gmres", true);
       list->set("Num Blocks", std::min(limit, 200));
       list->set("Maximum Restarts", limit / 200 + 1);
     }
@@ -151,7 +153,7 @@ private:
     Belos::SolverFactory<double, MultiVector, Operator> factory;
     RCP<Belos::SolverManager<double, MultiVector, Operator>> solver;
     try {
-      solver = factory.create(conjugate_gradients ? "PSEUDOBLOCK CG" : "GMRES", list);
+      solver = factory.create(conjugate_gradients ? "PSEUDOBLOCK CG" : "BLOCK GMRES", list);
     } catch (const std::exception& e) {
       throw InputError(std::string("Belos does not take its parameter list: ") + e.what());
     }

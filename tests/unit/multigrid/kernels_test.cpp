@@ -75,7 +75,7 @@ TEST(Products, TransposeSwapsRowsAndColumns) {
 TEST(GaussSeidel, SweepsAreThoseOfTheTextbook) {
   const Local rows = 7;
   const auto a = sample<3, 3>(rows, rows, 4);
-  const GaussSeidel<3> smoother(a, InverseDiagonal<3>(a));
+  const GaussSeidel<3> smoother(a);
   const std::size_t length = std::size_t(rows) * padded(3);
   std::vector<float> b(length), x(length, 0.0F), r(length), work(length);
   for (std::size_t i = 0; i < length; ++i)

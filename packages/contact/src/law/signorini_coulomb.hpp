@@ -24,9 +24,11 @@ KOKKOS_INLINE_FUNCTION bool stays_open(const SitePast& past, double size) {
 
 /// The status that a site has to keep in Coulomb's law: that of the last iterate while a step is
 /// predicted, for what slipped lies right on the cone, where rounding would decide whether it moves
-/// along; and that of its rule when it is frozen.
-KOKKOS_INLINE_FUNCTION Keep kept_status(const SiteIterate& iterate, const LawTerms& law) {
-  if (law.predicting)
+/// along; and that of its rule when it is frozen. The return map by itself has no last iterate to
+/// go on from.
+KOKKOS_INLINE_FUNCTION Keep kept_status(const SiteReading& r, const SiteIterate& iterate,
+                                        const LawTerms& law) {
+  if (law.predicting && r.soft > 0.0)
     return iterate.last.slips ? Keep::slip : Keep::stick;
   if (!iterate.frozen || iterate.rule == PointRule::open || iterate.rule == PointRule::frictionless)
     return Keep::nothing;
@@ -41,7 +43,7 @@ KOKKOS_INLINE_FUNCTION ShearChoice choose_status(const SiteReading& r, const Sit
                                                  const Vec3& normal, double pressure) {
   const double share = r.soft > 0.0 && r.soft < r.penalty ? r.soft / r.penalty : 1.0;
   return choose_shear(iterate.last, trial, normal, law.friction * (pressure > 0.0 ? pressure : 0.0),
-                      share, kept_status(iterate, law));
+                      share, kept_status(r, iterate, law));
 }
 
 /// Shear of a site that presses, by radial return of the trial w = P (lambda_T - eps theta r).
