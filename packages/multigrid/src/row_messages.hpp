@@ -29,10 +29,8 @@ public:
   /// Sends all rows, and calls take(number, column, block) for each block that arrives, in the
   /// order of the ranks. Collective.
   template <class Take> void deliver(const Take& take) {
-    if (!arrived_) {
-      head_ = comm_.exchange(head_), value_ = comm_.exchange(value_);
-      arrived_ = true;
-    }
+    head_ = comm_.exchange(head_);
+    value_ = comm_.exchange(value_);
     for (std::size_t r = 0; r < head_.size(); ++r) {
       const T* block = value_[r].data();
       for (auto p = head_[r].begin(); p != head_[r].end();) {
@@ -45,7 +43,6 @@ public:
 
 private:
   const Comm& comm_;
-  bool arrived_ = false;
   std::vector<std::vector<Global>> head_; ///< per rank: number, count, columns of each row
   std::vector<std::vector<T>> value_;
 };
