@@ -25,7 +25,7 @@ help:
 	@echo 'make test    set up, build everything, run the tests'
 	@echo 'make verify  set up, build everything, run the long verification studies'
 	@echo 'make bench   set up, build and run the benchmarks; AGAINST=PROGRAM: in turn with another build'
-	@echo 'make audit-threads  set up, run the kernels on 4 threads (fetches the source of Trilinos)'
+	@echo 'make audit-threads  set up, try the kernels on 4 threads (fetches the source of Trilinos)'
 	@echo 'make setup   install the Debian packages that are missing'
 	@echo 'make build   set up, build everything'
 	@echo 'make format  lay out the C++ sources'
