@@ -18,6 +18,7 @@ struct Lattice {
   int fields = 3;
   int n = 4, m = 4;
   double flatness = 1.0; ///< edges of the base over the height of a brick
+  double growth = 1.0;   ///< of an edge over the one before it, in each direction
   double poisson = 0.3;
 
   int dim() const { return fields == 2 ? 2 : 3; }
@@ -30,19 +31,29 @@ struct Lattice {
   std::array<double, 3> point(Global node) const {
     const auto p = place(node);
     if (dim() == 2)
-      return {flatness * p[0], double(p[2]), 0.0};
-    return {flatness * p[0], flatness * p[1], double(p[2])};
+      return {flatness * distance(p[0]), distance(p[2]), 0.0};
+    return {flatness * distance(p[0]), flatness * distance(p[1]), distance(p[2])};
+  }
+  /// Edges of the brick above and behind a node.
+  std::array<double, 3> edges(Global node) const {
+    const auto p = place(node);
+    const auto edge = [&](int at) { return std::pow(growth, at); };
+    if (dim() == 2)
+      return {flatness * edge(p[0]), edge(p[2]), 1.0};
+    return {flatness * edge(p[0]), flatness * edge(p[1]), edge(p[2])};
+  }
+
+private:
+  double distance(int edges) const {
+    return growth == 1.0 ? edges : (std::pow(growth, edges) - 1.0) / (growth - 1.0);
   }
 };
 
 /// Stiffness of one brick by two Gauss points to an edge: (corners, fields, corners, fields).
-inline std::vector<double> brick(const Lattice& lattice) {
+inline std::vector<double> brick(const Lattice& lattice, const std::array<double, 3>& edge) {
   const int dim = lattice.dim(), corners = 1 << dim, f = lattice.fields;
   const double mu = 0.5 / (1.0 + lattice.poisson);
   const double lambda = 2.0 * mu * lattice.poisson / (1.0 - 2.0 * lattice.poisson);
-  std::array<double, 3> edge{lattice.flatness, lattice.flatness, 1.0};
-  if (dim == 2)
-    edge = {lattice.flatness, 1.0, 1.0};
   std::vector<double> k(std::size_t(corners * f * corners * f), 0.0);
   for (int point = 0; point < corners; ++point) {
     std::vector<std::array<double, 3>> gradient(static_cast<std::size_t>(corners));
@@ -89,11 +100,11 @@ inline RCP<Matrix> stiffness(const Comm& comm, const Lattice& lattice) {
   const auto map = rcp(new Map(std::size_t(lattice.nodes() * f), std::size_t((last - first) * f), 0,
                                teuchos_comm(comm)));
   std::map<std::pair<Global, Global>, double> entry;
-  const auto k = brick(lattice);
   for (Global node = 0; node < lattice.nodes(); ++node) {
     const auto p = lattice.place(node);
     if (p[0] == lattice.n || (dim == 3 && p[1] == lattice.n) || p[2] == lattice.m)
       continue;
+    const auto k = brick(lattice, lattice.edges(node));
     const auto corner = [&](int a) {
       const int up = dim == 3 ? a >> 2 & 1 : a >> 1 & 1, across = dim == 3 ? a >> 1 & 1 : 0;
       return node + (a & 1) + Global(across) * (lattice.n + 1) + Global(up) * slice;
