@@ -165,8 +165,9 @@ template <int N, int M> struct WeakSum {
 };
 
 /// A^F times the tentative prolongator. A^F is A without its weak couplings, which are lumped: j
-/// moves as the aggregate of i would take it along, B_j R^-1, and so (A^F T) R = A B in all rows.
-/// modes: B (rows with ghosts, N, M). aggregate: (rows with ghosts) column, or -1.
+/// moves as the aggregate of i would take it along, B_j R^-1, and so (A^F T) R = A B in all rows,
+/// for the modes that the aggregate has. modes: B (rows with ghosts, N, M). aggregate: (rows with
+/// ghosts) column, or -1.
 template <int N, int M>
 BlockMatrix<float, N, M>
 filtered_times_tentative(const BlockMatrix<float, N, N>& a, const std::vector<char>& strong,
@@ -186,9 +187,8 @@ filtered_times_tentative(const BlockMatrix<float, N, N>& a, const std::vector<ch
       if (!strong[std::size_t(k)])
         weak.add(a.block(k), modes.data() + j * N * M);
       else if (aggregate[j] >= 0)
-        add_block_product<float, N, N, M>(a.block(k),
-                                          tentative.block.data() + j * tentative.block_size,
-                                          block_of(aggregate[j]));
+        add_block_product<float, N, N, M>(
+            a.block(k), tentative.block.data() + j * tentative.block_size, block_of(aggregate[j]));
     }
     if (const Local own = tentative.aggregates.of_row[std::size_t(i)]; weak.any && own >= 0)
       weak.add_to(block_of(aggregate[std::size_t(i)]),

@@ -16,7 +16,8 @@ using Scalars = BlockMatrix<float, 1, 1>;
 /// What each coupling of the owned rows is worth, in both directions.
 class Evolution {
 public:
-  Evolution(const Scalars& energies, const Distribution& rows) : rows_(rows), size_(sizes(energies)) {
+  Evolution(const Scalars& energies, const Distribution& rows)
+      : rows_(rows), size_(sizes(energies)) {
     Scalars step = first_step(energies);
     constexpr int squarings = 2; // four steps
     for (int n = 0; n < squarings; ++n)
@@ -71,15 +72,19 @@ private:
     const auto extended = with_ghost_rows(w, rows_, rows_);
     const Scalars& all = extended.matrix;
     Scalars result = same_places(w);
-    std::vector<Local> place(static_cast<std::size_t>(extended.columns.size()), -1);
+    std::vector<float> sum(static_cast<std::size_t>(extended.columns.size())); // of any place
     for (Local i = 0; i < w.rows; ++i) {
       const Local first = w.offset(i), last = w.offset(i + 1);
       for (Local k = first; k < last; ++k)
-        place[std::size_t(w.column(k))] = k;
+        sum[std::size_t(w.column(k))] = 0.0F; // what else the row reaches is not read
+      for (Local k = first; k < last; ++k) {
+        const float share = w.value(k);
+        const Local end = all.offset(w.column(k) + 1);
+        for (Local e = all.offset(w.column(k)); e < end; ++e)
+          sum[std::size_t(all.column(e))] += share * all.value(e);
+      }
       for (Local k = first; k < last; ++k)
-        for (Local e = all.offset(w.column(k)); e < all.offset(w.column(k) + 1); ++e)
-          if (const Local to = place[std::size_t(all.column(e))]; to >= first)
-            result.value(to) += w.value(k) * all.value(e);
+        result.value(k) = sum[std::size_t(w.column(k))];
     }
     return result;
   }
