@@ -165,8 +165,8 @@ TEST(Prolongator, LumpingTakesTheNearNullSpaceAlong) {
   for (Local i = 0; i < rows; ++i)
     aggregates.of_row.push_back(i / 4);
   const auto tentative = tentative_prolongator<N, M>(aggregates, modes);
-  const auto product =
-      filtered_times_tentative<N, M>(a, strong, modes, tentative, tentative.aggregates.of_row);
+  const auto product = filtered_times_tentative<N, M>(
+      a, strong, modes, tentative, tentative.aggregates.of_row, InverseDiagonal<N>(a), 0.0);
   for (Local i = 0; i < rows; ++i)
     for (int r = 0; r < N; ++r)
       for (int m = 0; m < M; ++m) {
@@ -181,6 +181,43 @@ TEST(Prolongator, LumpingTakesTheNearNullSpaceAlong) {
                 a.block(i * rows + j)[c * padded(N) + r] * modes[std::size_t((j * N + c) * M + m)];
         EXPECT_NEAR(filtered, whole, 1e-4) << i << ", " << r << ", " << m;
       }
+}
+
+/// Twenty nodes almost in a line and one beside it, weakly coupled: it must not follow the turn of
+/// the line about itself, which would throw it a thousand times as far as any node of the line.
+TEST(Prolongator, LumpingLeavesOutTurnsThatTakeNeighboursFar) {
+  constexpr int N = 3, M = 6;
+  const Local rows = 21;
+  auto a = full<N, N>(rows, rows);
+  for (Local i = 0; i < rows; ++i)
+    for (int c = 0; c < N; ++c)
+      a.block(i * rows + i)[c * padded(N) + c] = 1.0F;
+  for (int c = 0; c < N; ++c)
+    for (int r = 0; r < N; ++r)
+      a.block(rows - 1)[c * padded(N) + r] = -0.1F;
+  std::vector<RowPlace> places(static_cast<std::size_t>(rows));
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    places[i].point = {double(i), 1e-3 * std::sin(double(i)), 0.0};
+  places.back().point = {0.0, 5.0, 0.0};
+  const Comm self(MPI_COMM_SELF);
+  const auto modes = rigid_motions(self, N, places).values;
+  std::vector<char> strong(static_cast<std::size_t>(rows * rows), 1);
+  strong[std::size_t(rows - 1)] = 0; // of the first node with the last
+  Aggregates aggregates;
+  aggregates.count = 2;
+  aggregates.of_row.assign(static_cast<std::size_t>(rows), 0);
+  aggregates.of_row.back() = 1;
+  const auto tentative = tentative_prolongator<N, M>(aggregates, modes);
+  const auto largest = [&](double weight) {
+    const auto product = filtered_times_tentative<N, M>(
+        a, strong, modes, tentative, tentative.aggregates.of_row, InverseDiagonal<N>(a), weight);
+    float most = 0.0F;
+    for (int v = 0; v < product.block_size; ++v)
+      most = std::max(most, std::fabs(product.block(0)[v]));
+    return most;
+  };
+  EXPECT_GT(largest(0.0), 10.0F) << "nothing takes the neighbour far";
+  EXPECT_LE(largest(1.0), 1.0F + 4.0F / 3.0F);
 }
 
 } // namespace
