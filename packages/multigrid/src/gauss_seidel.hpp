@@ -51,6 +51,8 @@ public:
   /// One backward sweep. x: its ghosts exchanged. work: (rows, padded).
   void backward(const float* b, float* x, float* work) const;
 
+  /// D^-1 with the border's weights.
+  const InverseDiagonal<N>& inverse_diagonal() const { return inverse_; }
   std::size_t bytes() const {
     return lower_.bytes() + upper_.bytes() + ghost_.bytes() + inverse_.bytes() +
            border_.size() * sizeof(float);
@@ -159,7 +161,7 @@ GaussSeidel<N>::GaussSeidel(const Blocks& a)
     : lower_(part_of<N>(a, false, [](Local i, Local j) { return j < i; })),
       upper_(part_of<N>(a, true, [&](Local i, Local j) { return j > i && j < a.rows; })),
       ghost_(part_of<N>(a, false, [&](Local, Local j) { return j >= a.rows; })),
-      border_(border_weights<N>(a)), inverse_(a, border_) {}
+      border_(ghost_.blocks() > 0 ? border_weights<N>(a) : View<float>()), inverse_(a, border_) {}
 
 /// The border's weights times x, of one row.
 template <int N>

@@ -48,19 +48,22 @@ template <int N, int M>
 std::optional<Level<N, M>> coarsen(const BlockMatrix<float, N, N>& a, const Distribution& rows,
                                    std::vector<double>& modes, const Options& options) {
   constexpr double worthwhile = 0.7; // rows of the next level over those of this one
-  const InverseDiagonal<N> inverse(a);
-  auto tentative =
-      tentative_prolongator<N, M>(aggregate(strength_graph<N>(a, options.strength)), modes);
+  modes.resize(static_cast<std::size_t>(rows.size()) * N * M);
+  rows.exchange().to_ghosts(modes.data(), N * M);
+  const auto strong = strong_couplings<N, M>(a, modes, rows, options.drop_tolerance);
+  auto tentative = tentative_prolongator<N, M>(aggregate(strength_graph<N>(a, strong)), modes);
   const Global coarse_rows = rows.comm().sum(static_cast<Global>(tentative.aggregates.count));
   if (coarse_rows == 0 || double(coarse_rows) > worthwhile * double(rows.total()))
     return std::nullopt;
+  GaussSeidel<N> smoother(a);
+  const InverseDiagonal<N>& inverse = smoother.inverse_diagonal();
   constexpr double safety = 1.1; // the power method comes from below
   const double weight =
       options.prolongator_damping / (safety * largest_eigenvalue<N>(a, inverse, rows));
-  auto p = smoothed_prolongator<N, M>(a, inverse, tentative, rows, weight);
+  auto p = smoothed_prolongator<N, M>(a, inverse, strong, modes, tentative, rows, weight);
   modes = std::move(tentative.modes);
   Level<N, M> level{rows,
-                    GaussSeidel<N>(a),
+                    std::move(smoother),
                     p.matrix,
                     transpose(p.matrix, p.columns.size()),
                     p.columns,

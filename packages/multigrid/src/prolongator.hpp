@@ -6,40 +6,11 @@
 #include "gauss_seidel.hpp"
 #include "products.hpp"
 #include "row_messages.hpp"
+#include "strength.hpp"
 
 #include <cmath>
 
 namespace abut::multigrid {
-
-template <int N> double squared_norm(const float* block) {
-  double sum = 0.0;
-  for (int v = 0; v < padded(N) * N; ++v)
-    sum += double(block[v]) * block[v];
-  return sum;
-}
-
-/// Couplings of the owned rows with |A_ij| > strength * sqrt(|A_ii| |A_jj|).
-template <int N> StrengthGraph strength_graph(const BlockMatrix<float, N, N>& a, double strength) {
-  std::vector<double> diagonal(static_cast<std::size_t>(a.rows), 0.0);
-  for (Local i = 0; i < a.rows; ++i)
-    for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
-      if (a.column(k) == i)
-        diagonal[std::size_t(i)] = squared_norm<N>(a.block(k));
-  StrengthGraph graph;
-  for (Local i = 0; i < a.rows; ++i) {
-    for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
-      const Local j = a.column(k);
-      if (j == i || j >= a.rows)
-        continue;
-      const double size = squared_norm<N>(a.block(k));
-      const double limit = diagonal[std::size_t(i)] * diagonal[std::size_t(j)];
-      if (size > 0.0 && size * size > std::pow(strength, 4) * limit)
-        graph.neighbour.push_back(j);
-    }
-    graph.offset.push_back(static_cast<Local>(graph.neighbour.size()));
-  }
-  return graph;
-}
 
 /// Prolongator that is the near-null space on each aggregate: one block to a row.
 template <int N, int M> struct Tentative {
@@ -143,47 +114,121 @@ double largest_eigenvalue(const BlockMatrix<float, N, N>& a, const InverseDiagon
   return value;
 }
 
-/// Whether a block holds anything.
-template <int N> bool couples(const float* block) {
-  return squared_norm<N>(block) > 0.0;
-}
-
-/// A times a matrix with one block to each row, in the column given or none (-1).
+/// Places of A^F times the tentative prolongator: the aggregates of a row and of those that are
+/// strongly coupled with it. aggregate: (rows with ghosts) column, or -1.
 template <int N, int M>
-BlockMatrix<float, N, M> times_tentative(const BlockMatrix<float, N, N>& a,
-                                         const std::vector<Local>& column,
-                                         const std::vector<float>& block) {
+BlockMatrix<float, N, M> places_of_prolongator(const BlockMatrix<float, N, N>& a,
+                                               const std::vector<char>& strong,
+                                               const std::vector<Local>& aggregate) {
   std::vector<Local> offset{0}, columns, found;
   for (Local i = 0; i < a.rows; ++i) {
     found.clear();
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
-      if (const Local j = column[std::size_t(a.column(k))]; j >= 0 && couples<N>(a.block(k)))
+      if (const Local j = aggregate[std::size_t(a.column(k))]; j >= 0 && strong[std::size_t(k)])
         found.push_back(j);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     columns.insert(columns.end(), found.begin(), found.end());
     offset.push_back(static_cast<Local>(columns.size()));
   }
-  auto product = make_block_matrix<float, N, M>(offset, columns);
-  for (Local i = 0; i < a.rows; ++i)
-    for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
-      const Local j = column[std::size_t(a.column(k))];
-      if (j < 0 || !couples<N>(a.block(k)))
+  return make_block_matrix<float, N, M>(offset, columns);
+}
+
+/// What the weak couplings of one row do to the near-null space: (N, M), a sum of A_ij B_j.
+template <int N, int M> struct WeakSum {
+  double value[N * M] = {};
+  bool any = false;
+
+  void add(const float* block, const double* modes) {
+    any = true;
+    for (int c = 0; c < N; ++c)
+      for (int r = 0; r < N; ++r) {
+        const double entry = block[c * padded(N) + r];
+        for (int m = 0; m < M; ++m)
+          value[r * M + m] += entry * modes[c * M + m];
+      }
+  }
+  /// Adds value R^-1 to a block, R the upper triangle of an aggregate's modes. Left out are modes
+  /// that the aggregate does not have, and hardly has: `accepts` tells of a column (padded(N)).
+  template <class Accepts>
+  void add_to(float* block, const double* upper, const Accepts& accepts) const {
+    double y[M][N] = {};
+    for (int m = 0; m < M; ++m) {
+      const double own = upper[m * M + m];
+      if (own == 0.0)
         continue;
-      const auto* from = columns.data() + offset[std::size_t(i)];
-      const auto* to = columns.data() + offset[std::size_t(i) + 1];
-      const auto at = static_cast<Local>(std::lower_bound(from, to, j) - columns.data());
-      add_block_product<float, N, N, M>(
-          a.block(k), block.data() + std::size_t(a.column(k)) * padded(N) * M, product.block(at));
+      Pack<float, N> column;
+      for (int r = 0; r < N; ++r) {
+        double rest = value[r * M + m];
+        for (int t = 0; t < m; ++t)
+          rest -= y[t][r] * upper[t * M + m];
+        y[m][r] = rest / own;
+        column.value[r] = static_cast<float>(y[m][r]);
+      }
+      if (accepts(column))
+        for (int r = 0; r < N; ++r)
+          block[m * padded(N) + r] += column.value[r];
+      else
+        std::fill_n(y[m], N, 0.0);
     }
+  }
+};
+
+/// Whether a change of the prolongator, D^-1 times the column times the weight, is one that
+/// smooths: that of a whole matrix is at most 4/3 in size, as the mode is 1. Lumping exceeds it
+/// for a turn about an axis on which the aggregate almost lies, which takes its neighbours far.
+template <int N>
+bool smooths(const InverseDiagonal<N>& inverse, Local row, double weight,
+             const Pack<float, N>& column) {
+  constexpr double most = 4.0 / 3.0;
+  const auto change = inverse.times(row, column);
+  double sum = 0.0;
+  for (int r = 0; r < N; ++r)
+    sum += double(change.value[r]) * change.value[r];
+  return weight * std::sqrt(sum) <= most;
+}
+
+/// A^F times the tentative prolongator. A^F is A without its weak couplings, which are lumped: j
+/// moves as the aggregate of i would take it along, B_j R^-1, and so (A^F T) R = A B in all rows,
+/// for the modes that the aggregate has. modes: B (rows with ghosts, N, M). aggregate: (rows with
+/// ghosts) column, or -1.
+template <int N, int M>
+BlockMatrix<float, N, M>
+filtered_times_tentative(const BlockMatrix<float, N, N>& a, const std::vector<char>& strong,
+                         const std::vector<double>& modes, const Tentative<N, M>& tentative,
+                         const std::vector<Local>& aggregate, const InverseDiagonal<N>& inverse,
+                         double weight) {
+  auto product = places_of_prolongator<N, M>(a, strong, aggregate);
+  for (Local i = 0; i < a.rows; ++i) {
+    const Local* first = product.column.data() + product.offset(i);
+    const Local* last = product.column.data() + product.offset(i + 1);
+    const auto block_of = [&](Local column) {
+      return product.block(
+          static_cast<Local>(std::lower_bound(first, last, column) - product.column.data()));
+    };
+    WeakSum<N, M> weak;
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
+      const auto j = static_cast<std::size_t>(a.column(k));
+      if (!strong[std::size_t(k)])
+        weak.add(a.block(k), modes.data() + j * N * M);
+      else if (aggregate[j] >= 0)
+        add_block_product<float, N, N, M>(
+            a.block(k), tentative.block.data() + j * tentative.block_size, block_of(aggregate[j]));
+    }
+    if (const Local own = tentative.aggregates.of_row[std::size_t(i)]; weak.any && own >= 0)
+      weak.add_to(block_of(aggregate[std::size_t(i)]),
+                  tentative.modes.data() + static_cast<std::size_t>(own) * M * M,
+                  [&](const auto& column) { return smooths<N>(inverse, i, weight, column); });
+  }
   return product;
 }
 
-/// P = (I - weight D^-1 A) times the tentative prolongator. Columns: the aggregates of this rank,
-/// and those of others that its rows reach. Collective.
+/// P = (I - weight D^-1 A^F) times the tentative prolongator. Columns: the aggregates of this rank,
+/// and those of others that its rows reach. modes: (rows with ghosts, N, M). Collective.
 template <int N, int M>
 DistributedRows<float, N, M>
 smoothed_prolongator(const BlockMatrix<float, N, N>& a, const InverseDiagonal<N>& inverse,
+                     const std::vector<char>& strong, const std::vector<double>& modes,
                      Tentative<N, M>& tentative, const Distribution& rows, double weight) {
   constexpr int block_size = Tentative<N, M>::block_size;
   const auto first = first_rows(rows.comm(), tentative.aggregates.count);
@@ -202,7 +247,8 @@ smoothed_prolongator(const BlockMatrix<float, N, N>& a, const InverseDiagonal<N>
     if (aggregate[i] >= 0)
       column[i] = numbers.local(aggregate[i]);
 
-  BlockMatrix<float, N, M> product = times_tentative<N, M>(a, column, tentative.block);
+  BlockMatrix<float, N, M> product =
+      filtered_times_tentative(a, strong, modes, tentative, column, inverse, weight);
   for (Local i = 0; i < product.rows; ++i)
     for (Local k = product.offset(i); k < product.offset(i + 1); ++k)
       for (int m = 0; m < M; ++m) {

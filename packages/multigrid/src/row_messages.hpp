@@ -4,7 +4,7 @@
 #include "abut/multigrid/block_matrix.hpp"
 #include "distribution.hpp"
 
-#include <utility>
+#include <algorithm>
 
 namespace abut::multigrid {
 
@@ -47,40 +47,47 @@ private:
   std::vector<std::vector<T>> value_;
 };
 
-/// Rows of a matrix as lists of entries, for those that come together from several ranks.
+/// Rows of a matrix as a list of entries, for those that come together from several ranks.
 template <class T, int R, int C> class RowLists {
 public:
-  explicit RowLists(Local rows) : entry_(std::size_t(rows)) {}
+  explicit RowLists(Local rows) : rows_(rows) {}
 
-  void add(Local row, Local column, const T* block) {
-    entry_[std::size_t(row)].emplace_back(column, block);
-  }
+  void add(Local row, Local column, const T* block) { entry_.push_back({row, column, block}); }
   /// Entries of one place are added. Rows in the order of their columns.
   BlockMatrix<T, R, C> matrix() {
-    std::vector<Local> offset{0}, column;
-    for (auto& row : entry_) {
-      std::stable_sort(row.begin(), row.end(),
-                       [](const auto& a, const auto& b) { return a.first < b.first; });
-      for (std::size_t k = 0; k < row.size(); ++k)
-        if (k == 0 || row[k].first != row[k - 1].first)
-          column.push_back(row[k].first);
-      offset.push_back(static_cast<Local>(column.size()));
-    }
-    auto a = make_block_matrix<T, R, C>(offset, column);
-    for (std::size_t i = 0; i < entry_.size(); ++i) {
-      Local k = offset[i];
-      for (const auto& [j, block] : entry_[i]) {
-        while (column[std::size_t(k)] != j)
-          ++k;
-        for (int v = 0; v < a.block_size; ++v)
-          a.block(k)[v] += block[v];
+    std::stable_sort(entry_.begin(), entry_.end(), [](const Entry& a, const Entry& b) {
+      return a.row < b.row || (a.row == b.row && a.column < b.column);
+    });
+    std::vector<Local> offset(static_cast<std::size_t>(rows_) + 1, 0), column;
+    const auto is_new = [&](std::size_t n) {
+      return n == 0 || entry_[n].row != entry_[n - 1].row ||
+             entry_[n].column != entry_[n - 1].column;
+    };
+    for (std::size_t n = 0; n < entry_.size(); ++n)
+      if (is_new(n)) {
+        ++offset[std::size_t(entry_[n].row) + 1];
+        column.push_back(entry_[n].column);
       }
+    for (std::size_t i = 1; i < offset.size(); ++i)
+      offset[i] += offset[i - 1];
+    auto a = make_block_matrix<T, R, C>(offset, column);
+    Local k = -1;
+    for (std::size_t n = 0; n < entry_.size(); ++n) {
+      if (is_new(n))
+        ++k;
+      for (int v = 0; v < a.block_size; ++v)
+        a.block(k)[v] += entry_[n].block[v];
     }
     return a;
   }
 
 private:
-  std::vector<std::vector<std::pair<Local, const T*>>> entry_;
+  struct Entry {
+    Local row, column;
+    const T* block;
+  };
+  Local rows_;
+  std::vector<Entry> entry_;
 };
 
 template <class T, int R, int C> struct DistributedRows {
@@ -93,6 +100,8 @@ template <class T, int R, int C> struct DistributedRows {
 template <class T, int R, int C>
 DistributedRows<T, R, C> with_ghost_rows(const BlockMatrix<T, R, C>& owned,
                                          const Distribution& rows, const Distribution& columns) {
+  if (rows.comm().size() == 1)
+    return {owned, columns};
   RowMessages<T, R, C> messages(rows.comm());
   for (const auto& other : rows.exchange().messages().neighbours())
     for (const Local row : other.send)
@@ -113,6 +122,8 @@ DistributedRows<T, R, C> with_ghost_rows(const BlockMatrix<T, R, C>& owned,
 template <class T, int R, int C>
 DistributedRows<T, R, C> sum_to_owners(const BlockMatrix<T, R, C>& parts, const Distribution& rows,
                                        const Distribution& columns) {
+  if (rows.comm().size() == 1)
+    return {parts, rows};
   RowMessages<T, R, C> messages(rows.comm());
   for (Local i = rows.owned(); i < parts.rows; ++i)
     messages.add(rows.owner(rows.global(i)), rows.global(i), parts, i, columns);
