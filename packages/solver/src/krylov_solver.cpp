@@ -10,6 +10,7 @@
 #include <BelosSolverFactory_Tpetra.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -28,40 +29,13 @@ std::string scientific(double x) {
   return text.str();
 }
 
-/// Whether all ranks know where their rows are, and multigrid takes so many unknowns to a row.
-bool takes_cycle(const NonlinearSystem& system) {
-  const int fields = system.unknowns_per_node();
-  const bool here = !system.row_places().empty() || local_size(*system.map()) == 0;
-  int mine = here && fields <= 4 ? 1 : 0, all = 0;
-  Teuchos::reduceAll(*system.map()->getComm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-  return all == 1;
-}
-
-std::unique_ptr<Preconditioning> make_preconditioning(const LinearOptions& options,
-                                                      const NonlinearSystem& system,
-                                                      const LogSink& log) {
-  switch (options.preconditioner) {
-  case Preconditioner::muelu:
-    return make_muelu_preconditioning(options, system, log);
-  case Preconditioner::ilu:
-    return make_ilu_preconditioning(options);
-  case Preconditioner::automatic:
-  case Preconditioner::multigrid:
-    break;
-  }
-  if (takes_cycle(system))
-    return make_cycle_preconditioning(system);
-  if (options.preconditioner == Preconditioner::multigrid)
-    throw InputError("The unknowns of this system do not go together with multigrid.");
-  return make_ilu_preconditioning(options);
-}
-
 } // namespace
 
 class KrylovSolver::Implementation {
 public:
-  Implementation(const LinearOptions& options, const NonlinearSystem& system, LogSink log)
-      : options_(options), log_(std::move(log)),
+  Implementation(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
+                 KrylovRole role, std::function<void()> count_setup)
+      : options_(options), log_(std::move(log)), role_(role), count_setup_(std::move(count_setup)),
         preconditioning_(make_preconditioning(options, system, log_)) {
     Teuchos::ParameterList probe; // unreadable lists are reported before anything is solved
     merge_parameter_text(options_.belos, "Belos", probe);
@@ -91,7 +65,7 @@ public:
     }
     build_preconditioner();
     auto result = iterate(symmetric_, b, x, tolerance, options_.max_iterations);
-    if (!result && symmetric_) {
+    if (!result && symmetric_ && role_ == KrylovRole::alone) {
       log_message("Conjugate gradients did not converge (" + last_attempt_ +
                   "); GMRES takes over.");
       result = iterate(false, b, x, tolerance, options_.max_iterations);
@@ -111,6 +85,7 @@ private:
   void build_preconditioner() {
     try {
       preconditioner_ = preconditioning_->build(matrix_, symmetric_);
+      count_setup_();
     } catch (const std::exception& e) {
       preconditioner_ = Teuchos::null;
       throw SolveError(std::string("The preconditioner cannot be built: ") + e.what());
@@ -119,9 +94,17 @@ private:
 
   /// A preconditioner that cannot be renewed is kept as it is.
   void renew(const RCP<const Matrix>& matrix, bool same_graph) {
-    if (const auto renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
-        !renewed.is_null())
-      preconditioner_ = renewed;
+    RCP<Operator> renewed;
+    try {
+      renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
+    } catch (const std::exception& e) {
+      forget();
+      return;
+    }
+    if (renewed.is_null())
+      return;
+    preconditioner_ = renewed;
+    count_setup_();
   }
 
   /// Nothing when the tolerance is not met within `limit` iterations.
@@ -178,6 +161,8 @@ private:
 
   LinearOptions options_;
   LogSink log_;
+  KrylovRole role_;
+  std::function<void()> count_setup_;
   std::unique_ptr<Preconditioning> preconditioning_;
   bool symmetric_ = false;
   long graph_version_ = -1;
@@ -188,9 +173,10 @@ private:
 };
 
 KrylovSolver::KrylovSolver(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
-                           PhaseTimers* timers)
-    : LinearSolver(timers),
-      implementation_(std::make_unique<Implementation>(options, system, std::move(log))) {}
+                           KrylovRole role, PhaseTimers* timers)
+    : LinearSolver(std::string("krylov with ") + name(options.preconditioner), timers),
+      implementation_(std::make_unique<Implementation>(options, system, std::move(log), role,
+                                                       [this] { count_setup(); })) {}
 
 KrylovSolver::~KrylovSolver() = default;
 
