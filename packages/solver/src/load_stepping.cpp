@@ -138,7 +138,7 @@ void LoadStepping::predict(NonlinearSystem& system, Vector& x) {
   const auto tangent = system.predictor(x, rhs);
   auto& linear = loop_.newton().linear();
   linear.setup(tangent, system.graph_version(), system.symmetric());
-  linear.solve(rhs, dx, loop_.newton().linear_tolerance());
+  linear.solve(rhs, dx, loop_.newton().predictor_tolerance());
   x.update(1.0, dx, 1.0);
   system.apply_constraints(x);
 }

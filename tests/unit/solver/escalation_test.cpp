@@ -2,7 +2,7 @@
 #include "abut/solver/linear_solver.hpp"
 #include "abut/solver/load_stepping.hpp"
 
-#include "elastic_block.hpp"
+#include "pulled_block.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@ namespace {
 using solver::LinearMethod;
 using solver::LinearOptions;
 using test::ElasticBlock;
+using test::PulledBlock;
 
 /// Krylov for any size, direct where that fails.
 LinearOptions krylov_first(int max_iterations = 500) {
@@ -52,25 +53,6 @@ RCP<const Matrix> shifted(const Matrix& matrix, double shift) {
   copy->fillComplete();
   return copy;
 }
-
-/// A x = t b.
-class PulledBlock : public ElasticBlock {
-public:
-  using ElasticBlock::ElasticBlock;
-  void set_time(double t) override { time_ = t; }
-  void residual(const Vector& x, Vector& f) override {
-    matrix()->apply(x, f);
-    f.update(-time_, test::wavy_vector(map()), 1.0);
-  }
-  RCP<const Matrix> predictor(const Vector& x, Vector& rhs) override {
-    residual(x, rhs);
-    rhs.scale(-1.0);
-    return matrix();
-  }
-
-private:
-  double time_ = 0.0;
-};
 
 solver::LoadResult two_steps(PulledBlock& block, solver::LinearSolver& linear, Vector& x) {
   solver::NewtonSolver newton(linear, {});

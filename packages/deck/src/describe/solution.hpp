@@ -67,7 +67,10 @@ template <class V> void describe(V& v, solver::LinearOptions& o) {
             {"muelu", Preconditioner::muelu, "MueLu's smoothed aggregation"},
             {"ilu", Preconditioner::ilu, "Ifpack2 incomplete factors"}},
            "of a Krylov solve");
-  v.optional("tolerance", o.tolerance, "relative residual of a Krylov solve", positive("1"));
+  v.number_or("tolerance", o.tolerance, "automatic",
+              "relative residual of a Krylov solve; automatic: 1e-3, and tighter where Newton "
+              "comes close to its end",
+              positive("1"));
   v.optional("max_iterations", o.max_iterations, "of a Krylov solve", at_least(1.0, "1"));
 }
 

@@ -20,7 +20,8 @@ struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
   long long direct_limit = 150000;
   Preconditioner preconditioner = Preconditioner::automatic;
-  double tolerance = 1e-8; ///< of a Krylov solve, relative residual [1]
+  /// Of a Krylov solve, relative residual; none: as exact as Newton has use for. [1]
+  std::optional<double> tolerance;
   int max_iterations = 500;
   /// Trilinos parameter lists as XML text, merged over abut's own: Belos, MueLu, Ifpack2.
   std::string belos, muelu, ifpack2;
