@@ -21,6 +21,14 @@ namespace {
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 
 constexpr double max_growth = 1.5; ///< of the iterations with a preconditioner that is kept
+constexpr int slack = 2;           ///< iterations beyond that
+constexpr int most_kept =
+    2; ///< systems on which a preconditioner stays as it is, where it might do
+
+/// By how many powers of ten a residual falls.
+double decades(double relative_residual) {
+  return std::max(1.0, -std::log10(std::max(relative_residual, 1e-16)));
+}
 
 std::string scientific(double x) {
   std::ostringstream text;
@@ -47,7 +55,7 @@ public:
     if (symmetric != symmetric_)
       forget();
     else if (!preconditioner_.is_null())
-      renew(matrix, graph_version == graph_version_);
+      keep_or_renew(matrix, graph_version == graph_version_);
     matrix_ = matrix;
     symmetric_ = symmetric;
     graph_version_ = graph_version;
@@ -57,7 +65,9 @@ public:
 
   LinearResult solve(const Vector& b, Vector& x, double tolerance) {
     if (!preconditioner_.is_null()) {
-      const int limit = std::min(options_.max_iterations, reuse_limit_);
+      const double usual = iterations_per_decade_ * decades(tolerance);
+      const int limit =
+          std::min(options_.max_iterations, static_cast<int>(max_growth * usual) + slack);
       const auto result = iterate(symmetric_, b, x, tolerance, limit);
       if (result)
         return *result;
@@ -75,7 +85,7 @@ public:
       throw SolveError("The Krylov solver did not converge: " + last_attempt_ + ", wanted " +
                        scientific(tolerance) + ".");
     }
-    reuse_limit_ = static_cast<int>(std::ceil(max_growth * result->iterations)) + 1;
+    iterations_per_decade_ = result->iterations / decades(result->relative_residual);
     return *result;
   }
 
@@ -85,11 +95,21 @@ private:
   void build_preconditioner() {
     try {
       preconditioner_ = preconditioning_->build(matrix_, symmetric_);
+      kept_ = 0;
       count_setup_();
     } catch (const std::exception& e) {
       preconditioner_ = Teuchos::null;
       throw SolveError(std::string("The preconditioner cannot be built: ") + e.what());
     }
+  }
+
+  /// Prolongators of another state of stick and slip are not to be trusted: unsymmetric matrices
+  /// get their own each time.
+  void keep_or_renew(const RCP<const Matrix>& matrix, bool same_graph) {
+    if (symmetric_ && same_graph && kept_ < most_kept)
+      ++kept_;
+    else
+      renew(matrix, same_graph);
   }
 
   /// A preconditioner that cannot be renewed is kept as it is.
@@ -104,6 +124,7 @@ private:
     if (renewed.is_null())
       return;
     preconditioner_ = renewed;
+    kept_ = 0;
     count_setup_();
   }
 
@@ -168,7 +189,8 @@ private:
   long graph_version_ = -1;
   RCP<const Matrix> matrix_;
   RCP<Operator> preconditioner_;
-  int reuse_limit_ = 0;
+  double iterations_per_decade_ = 0.0; ///< right after it was built
+  int kept_ = 0;                       ///< systems since it was built or renewed
   std::string last_attempt_;
 };
 
