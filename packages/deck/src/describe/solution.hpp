@@ -15,6 +15,14 @@ template <class V> void describe(V& v, solver::TimeOptions& o) {
   v.optional("max_cuts", o.max_cuts, "in a row, on one step", at_least(0.0, "1"));
   v.optional("target_iterations", o.target_iterations,
              "Newton iterations of a step that keeps its size", at_least(1.0, "1"));
+  using solver::StepPrediction;
+  v.choice("prediction", o.prediction,
+           {{"automatic", StepPrediction::automatic,
+             "extrapolation of the last step where that tells of the next one and there is no "
+             "friction, else tangent"},
+            {"tangent", StepPrediction::tangent, "a linear solve"},
+            {"extrapolation", StepPrediction::extrapolation, "with friction, too"}},
+           "where Newton starts a step");
 }
 
 template <class V> void describe(V& v, solver::DynamicsOptions& o) {

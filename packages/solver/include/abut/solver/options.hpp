@@ -14,6 +14,11 @@ enum class LinearMethod {
   krylov,    ///< Belos: CG for a symmetric operator, GMRES otherwise
 };
 enum class Preconditioner { automatic, multigrid, muelu, ilu };
+enum class StepPrediction {
+  automatic,     ///< extrapolation where the last step tells of the next one
+  tangent,       ///< a linear solve with the tangent of the last state
+  extrapolation, ///< the same where friction makes the way matter
+};
 enum class LineSearch { automatic, none };
 
 struct LinearOptions {
@@ -47,6 +52,7 @@ struct TimeOptions {
   bool adaptive = true;       ///< grow again after a cut, and cut after a failed step
   double min_fraction = 1e-3; ///< smallest step as a fraction of end/steps
   int max_cuts = 8;           ///< in a row, on one step
+  StepPrediction prediction = StepPrediction::automatic;
   int target_iterations = 10; ///< Newton iterations of a step that keeps its size
 };
 
