@@ -63,7 +63,9 @@ template <class V> void describe(V& v, solver::LinearOptions& o) {
   using solver::LinearMethod;
   using solver::Preconditioner;
   v.choice("method", o.method,
-           {{"automatic", LinearMethod::automatic, "direct up to direct_limit, Krylov beyond"},
+           {{"automatic", LinearMethod::automatic,
+             "direct up to direct_limit, Krylov beyond, and direct again "
+             "where that fails"},
             {"direct", LinearMethod::direct, "MUMPS"},
             {"krylov", LinearMethod::krylov, "Belos: CG if symmetric, GMRES otherwise"}},
            "of the linear systems");

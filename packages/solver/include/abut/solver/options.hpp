@@ -9,7 +9,7 @@
 namespace abut::solver {
 
 enum class LinearMethod {
-  automatic, ///< direct below `direct_limit` unknowns, Krylov beyond
+  automatic, ///< direct up to `direct_limit` unknowns, Krylov beyond; see make_linear_solver
   direct,    ///< MUMPS
   krylov,    ///< Belos: CG for a symmetric operator, GMRES otherwise
 };
@@ -23,7 +23,7 @@ enum class LineSearch { automatic, none };
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
-  long long direct_limit = 150000;
+  long long direct_limit = 10000;
   Preconditioner preconditioner = Preconditioner::automatic;
   /// Of a Krylov solve, relative residual; none: as exact as Newton has use for. [1]
   std::optional<double> tolerance;
