@@ -136,6 +136,22 @@ void conclude(const Model& m, const scene::State& state, const RunFacts& facts,
   write_summary(m, state, facts, verdicts, summary);
 }
 
+/// Those of the solver's methods that did anything.
+std::vector<solver::LinearUse> used_methods(const solver::LinearSolver& linear) {
+  std::vector<solver::LinearUse> used;
+  for (solver::LinearUse& use : linear.uses())
+    if (use.solves + use.setups + use.failures > 0)
+      used.push_back(std::move(use));
+  return used;
+}
+
+void say_what_linear_solves_cost(const std::vector<solver::LinearUse>& used, Progress& progress) {
+  for (const solver::LinearUse& use : used)
+    progress.line(fmt::format("linear solver: {}  {} systems  {} iterations  {} setups  {:.2f} s{}",
+                              use.method, use.systems, use.iterations, use.setups, use.seconds,
+                              use.failures > 0 ? fmt::format("  failed on {}", use.failures) : ""));
+}
+
 void say_how_it_ended(const Model& m, const solver::LoadResult& result, double seconds,
                       const std::string& file, Progress& progress) {
   if (result.converged)
@@ -161,9 +177,9 @@ int run(const RunOptions& options) {
   Vector x(m.equations->dofs().map());
   solver::AssembledSystem system(*m.equations);
   prepare(m, system, x);
+  announce(m, progress);
   const auto linear =
       solver::make_linear_solver(m.deck.linear, system, progress.sink(), m.timers.get());
-  announce(m, progress);
   if (m.deck.dynamics.active)
     scene::start_motion(m.deck, m, *linear, x);
   Recorder recorder(m, stem, progress, x);
@@ -174,6 +190,8 @@ int run(const RunOptions& options) {
   facts.converged = result.converged;
   facts.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  facts.linear = used_methods(*linear);
+  say_what_linear_solves_cost(facts.linear, progress);
   conclude(m, recorder.state(), facts, options.summary, progress);
   say_how_it_ended(m, result, facts.wall_seconds, recorder.path(), progress);
   return result.converged ? 0 : 1;

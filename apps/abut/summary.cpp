@@ -82,6 +82,16 @@ Json rigid_json(const Model& m, const scene::State& s) {
   return all;
 }
 
+/// Seconds are the largest over the ranks.
+Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
+  Json all = Json::object();
+  for (const solver::LinearUse& use : uses)
+    all[use.method] = {{"systems", use.systems},       {"solves", use.solves},
+                       {"iterations", use.iterations}, {"setups", use.setups},
+                       {"failures", use.failures},     {"seconds", comm.max(use.seconds)}};
+  return all;
+}
+
 } // namespace
 
 void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
@@ -90,6 +100,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
   for (int p = 0; p < phase_count; ++p)
     phases[phase_name(static_cast<Phase>(p))] =
         m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
+  const Json linear = linear_json(m.comm, facts.linear);
   const double memory = m.comm.sum(peak_memory_mb());
   if (file.empty())
     return;
@@ -98,9 +109,11 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"ranks", m.comm.size()},
                {"unknowns", m.equations->dofs().num_global_rows() * m.equations->dofs().fields()},
                {"steps", s.counters.steps},
+               {"extrapolated_steps", s.counters.extrapolated_steps},
                {"newton_iterations", s.counters.newton_iterations},
                {"augmentations", s.counters.augmentations},
                {"linear_iterations", s.counters.linear_iterations},
+               {"linear_solver", linear},
                {"cut_backs", s.counters.cut_backs},
                {"wall_seconds", facts.wall_seconds},
                {"phase_seconds", phases},

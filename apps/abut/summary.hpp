@@ -3,6 +3,8 @@
 
 #include "verify.hpp"
 
+#include "abut/solver/linear_solver.hpp"
+
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@ namespace abut::app {
 struct RunFacts {
   bool converged = false;
   double wall_seconds = 0.0;
+  std::vector<solver::LinearUse> linear; ///< those of the methods that were used
 };
 
 /// Writes the summary object of the outside contract; nothing when `file` is empty. Times are the

@@ -10,6 +10,7 @@
 #include <BelosSolverFactory_Tpetra.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -20,6 +21,14 @@ namespace {
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 
 constexpr double max_growth = 1.5; ///< of the iterations with a preconditioner that is kept
+constexpr int slack = 2;           ///< iterations beyond that
+constexpr int most_kept =
+    2; ///< systems on which a preconditioner stays as it is, where it might do
+
+/// By how many powers of ten a residual falls.
+double decades(double relative_residual) {
+  return std::max(1.0, -std::log10(std::max(relative_residual, 1e-16)));
+}
 
 std::string scientific(double x) {
   std::ostringstream text;
@@ -28,40 +37,13 @@ std::string scientific(double x) {
   return text.str();
 }
 
-/// Whether all ranks know where their rows are, and multigrid takes so many unknowns to a row.
-bool takes_cycle(const NonlinearSystem& system) {
-  const int fields = system.unknowns_per_node();
-  const bool here = !system.row_places().empty() || local_size(*system.map()) == 0;
-  int mine = here && fields <= 4 ? 1 : 0, all = 0;
-  Teuchos::reduceAll(*system.map()->getComm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-  return all == 1;
-}
-
-std::unique_ptr<Preconditioning> make_preconditioning(const LinearOptions& options,
-                                                      const NonlinearSystem& system,
-                                                      const LogSink& log) {
-  switch (options.preconditioner) {
-  case Preconditioner::muelu:
-    return make_muelu_preconditioning(options, system, log);
-  case Preconditioner::ilu:
-    return make_ilu_preconditioning(options);
-  case Preconditioner::automatic:
-  case Preconditioner::multigrid:
-    break;
-  }
-  if (takes_cycle(system))
-    return make_cycle_preconditioning(system);
-  if (options.preconditioner == Preconditioner::multigrid)
-    throw InputError("The unknowns of this system do not go together with multigrid.");
-  return make_ilu_preconditioning(options);
-}
-
 } // namespace
 
 class KrylovSolver::Implementation {
 public:
-  Implementation(const LinearOptions& options, const NonlinearSystem& system, LogSink log)
-      : options_(options), log_(std::move(log)),
+  Implementation(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
+                 KrylovRole role, std::function<void()> count_setup)
+      : options_(options), log_(std::move(log)), role_(role), count_setup_(std::move(count_setup)),
         preconditioning_(make_preconditioning(options, system, log_)) {
     Teuchos::ParameterList probe; // unreadable lists are reported before anything is solved
     merge_parameter_text(options_.belos, "Belos", probe);
@@ -73,7 +55,7 @@ public:
     if (symmetric != symmetric_)
       forget();
     else if (!preconditioner_.is_null())
-      renew(matrix, graph_version == graph_version_);
+      keep_or_renew(matrix, graph_version == graph_version_);
     matrix_ = matrix;
     symmetric_ = symmetric;
     graph_version_ = graph_version;
@@ -83,7 +65,9 @@ public:
 
   LinearResult solve(const Vector& b, Vector& x, double tolerance) {
     if (!preconditioner_.is_null()) {
-      const int limit = std::min(options_.max_iterations, reuse_limit_);
+      const double usual = iterations_per_decade_ * decades(tolerance);
+      const int limit =
+          std::min(options_.max_iterations, static_cast<int>(max_growth * usual) + slack);
       const auto result = iterate(symmetric_, b, x, tolerance, limit);
       if (result)
         return *result;
@@ -91,7 +75,7 @@ public:
     }
     build_preconditioner();
     auto result = iterate(symmetric_, b, x, tolerance, options_.max_iterations);
-    if (!result && symmetric_) {
+    if (!result && symmetric_ && role_ == KrylovRole::alone) {
       log_message("Conjugate gradients did not converge (" + last_attempt_ +
                   "); GMRES takes over.");
       result = iterate(false, b, x, tolerance, options_.max_iterations);
@@ -101,7 +85,7 @@ public:
       throw SolveError("The Krylov solver did not converge: " + last_attempt_ + ", wanted " +
                        scientific(tolerance) + ".");
     }
-    reuse_limit_ = static_cast<int>(std::ceil(max_growth * result->iterations)) + 1;
+    iterations_per_decade_ = result->iterations / decades(result->relative_residual);
     return *result;
   }
 
@@ -111,17 +95,37 @@ private:
   void build_preconditioner() {
     try {
       preconditioner_ = preconditioning_->build(matrix_, symmetric_);
+      kept_ = 0;
+      count_setup_();
     } catch (const std::exception& e) {
       preconditioner_ = Teuchos::null;
       throw SolveError(std::string("The preconditioner cannot be built: ") + e.what());
     }
   }
 
+  /// Prolongators of another state of stick and slip are not to be trusted: unsymmetric matrices
+  /// get their own each time.
+  void keep_or_renew(const RCP<const Matrix>& matrix, bool same_graph) {
+    if (symmetric_ && same_graph && kept_ < most_kept)
+      ++kept_;
+    else
+      renew(matrix, same_graph);
+  }
+
   /// A preconditioner that cannot be renewed is kept as it is.
   void renew(const RCP<const Matrix>& matrix, bool same_graph) {
-    if (const auto renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
-        !renewed.is_null())
-      preconditioner_ = renewed;
+    RCP<Operator> renewed;
+    try {
+      renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
+    } catch (const std::exception& e) {
+      forget();
+      return;
+    }
+    if (renewed.is_null())
+      return;
+    preconditioner_ = renewed;
+    kept_ = 0;
+    count_setup_();
   }
 
   /// Nothing when the tolerance is not met within `limit` iterations.
@@ -178,19 +182,23 @@ private:
 
   LinearOptions options_;
   LogSink log_;
+  KrylovRole role_;
+  std::function<void()> count_setup_;
   std::unique_ptr<Preconditioning> preconditioning_;
   bool symmetric_ = false;
   long graph_version_ = -1;
   RCP<const Matrix> matrix_;
   RCP<Operator> preconditioner_;
-  int reuse_limit_ = 0;
+  double iterations_per_decade_ = 0.0; ///< right after it was built
+  int kept_ = 0;                       ///< systems since it was built or renewed
   std::string last_attempt_;
 };
 
 KrylovSolver::KrylovSolver(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
-                           PhaseTimers* timers)
-    : LinearSolver(timers),
-      implementation_(std::make_unique<Implementation>(options, system, std::move(log))) {}
+                           KrylovRole role, PhaseTimers* timers)
+    : LinearSolver(std::string("krylov with ") + name(options.preconditioner), timers),
+      implementation_(std::make_unique<Implementation>(options, system, std::move(log), role,
+                                                       [this] { count_setup(); })) {}
 
 KrylovSolver::~KrylovSolver() = default;
 

@@ -4,6 +4,7 @@
 #include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
 #include "abut/solver/linear_solver.hpp"
+#include "step_start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,67 +33,100 @@ LoadStepping::LoadStepping(AugmentedLagrangian& loop, TimeOptions options, LogSi
     throw InputError("time: steps must be at least 1.");
 }
 
+/// What one run of steps goes through.
+struct LoadStepping::Course {
+  NonlinearSystem& system;
+  Vector& x;
+  Vector converged; ///< x of the last step
+  StepStart start;
+  double dt;
+  int cuts = 0;
+  LoadResult result;
+};
+
 LoadResult LoadStepping::run(NonlinearSystem& system, Vector& x, const StepCallback& on_step,
                              const IterationCallback& on_iteration, double start) {
-  LoadResult result;
-  result.t = start;
   const double nominal = options_.end / options_.steps;
+  Course course{
+      system, x, Vector(x, Teuchos::Copy), StepStart(loop_.newton(), options_.prediction), nominal,
+      0,      {}};
+  LoadResult& result = course.result;
+  result.t = start;
   const long long linear_before = loop_.newton().linear().total_iterations();
-  double dt = nominal;
-  Vector converged(x, Teuchos::Copy);
-  int cuts = 0;
   while (result.t < options_.end) {
-    const double t = step_end(result.t, dt);
-    const Attempt tried = attempt(system, x, t, on_iteration);
+    const double t = step_end(result.t, course.dt);
+    const Attempt tried = attempt(course, t, on_iteration);
     result.counters.newton_iterations += tried.iterations;
     result.counters.augmentations += tried.augmentations;
     result.counters.linear_iterations = loop_.newton().linear().total_iterations() - linear_before;
-    if (!tried.reason.empty()) {
-      system.reject();
-      Tpetra::deep_copy(x, converged);
-      loop_.newton().linear().forget();
-      dt = t - result.t; // no longer than up to the end of the nominal step
-      const bool smaller = dt * 0.5 >= options_.min_fraction * nominal * (1.0 - snap);
-      if (!options_.adaptive || cuts >= options_.max_cuts || !smaller) {
-        system.set_time(result.t);
-        result.reason = "No step beyond t = " + number(result.t) + " converged (" +
-                        std::to_string(cuts) + " cuts, down to a step of " + number(dt) +
-                        "): " + tried.reason;
-        return result;
-      }
-      log(log_, LogLevel::info,
-          "The step to t = " + number(t) + " is cut in half: " + tried.reason);
-      dt *= 0.5;
-      ++cuts;
-      ++result.counters.cut_backs;
+    if (tried.reason.empty()) {
+      finish_step(course, tried, t, on_step);
       continue;
     }
-
-    system.accept(x);
-    Tpetra::deep_copy(converged, x);
-    const AugmentedResult& solved = tried.result;
-    const StepReport report{static_cast<int>(++result.counters.steps),
-                            t,
-                            t - result.t,
-                            solved.iterations,
-                            solved.augmentations,
-                            cuts,
-                            solved.solves.back().residual,
-                            solved.solves.back().reference,
-                            solved.solves,
-                            solved.report,
-                            solved.stalled ? solved.reason : ""};
-    result.t = t;
-    if (!report.note.empty())
-      log(log_, LogLevel::warning, report.note);
-    if (on_step)
-      on_step(report, x);
-    cuts = 0;
-    if (solved.solves.front().iterations <= options_.target_iterations)
-      dt = std::min(nominal, growth * dt);
+    system.reject();
+    Tpetra::deep_copy(x, course.converged);
+    loop_.newton().linear().forget();
+    if (tried.extrapolated) {
+      log(log_, LogLevel::info,
+          "The step to t = " + number(t) +
+              " is tried again from a linear prediction: " + tried.reason);
+      course.start.distrust();
+      continue;
+    }
+    if (!cut(course, t, tried.reason))
+      return result;
   }
   result.converged = true;
   return result;
+}
+
+/// Halves the step; false where the run ends here.
+bool LoadStepping::cut(Course& course, double t, const std::string& reason) {
+  LoadResult& result = course.result;
+  const double nominal = options_.end / options_.steps;
+  course.dt = t - result.t; // no longer than up to the end of the nominal step
+  const bool smaller = course.dt * 0.5 >= options_.min_fraction * nominal * (1.0 - snap);
+  if (!options_.adaptive || course.cuts >= options_.max_cuts || !smaller) {
+    course.system.set_time(result.t);
+    result.reason = "No step beyond t = " + number(result.t) + " converged (" +
+                    std::to_string(course.cuts) + " cuts, down to a step of " + number(course.dt) +
+                    "): " + reason;
+    return false;
+  }
+  log(log_, LogLevel::info, "The step to t = " + number(t) + " is cut in half: " + reason);
+  course.dt *= 0.5;
+  ++course.cuts;
+  ++result.counters.cut_backs;
+  return true;
+}
+
+void LoadStepping::finish_step(Course& course, const Attempt& tried, double t,
+                               const StepCallback& on_step) {
+  LoadResult& result = course.result;
+  course.system.accept(course.x);
+  course.start.accepted(course.converged, course.x, t - result.t, tried.augmentations == 0);
+  Tpetra::deep_copy(course.converged, course.x);
+  result.counters.extrapolated_steps += tried.extrapolated;
+  const AugmentedResult& solved = tried.result;
+  const StepReport report{static_cast<int>(++result.counters.steps),
+                          t,
+                          t - result.t,
+                          solved.iterations,
+                          solved.augmentations,
+                          course.cuts,
+                          solved.solves.back().residual,
+                          solved.solves.back().reference,
+                          solved.solves,
+                          solved.report,
+                          solved.stalled ? solved.reason : ""};
+  result.t = t;
+  if (!report.note.empty())
+    log(log_, LogLevel::warning, report.note);
+  if (on_step)
+    on_step(report, course.x);
+  course.cuts = 0;
+  if (solved.solves.front().iterations <= options_.target_iterations)
+    course.dt = std::min(options_.end / options_.steps, growth * course.dt);
 }
 
 double LoadStepping::step_end(double t, double dt) const {
@@ -103,8 +137,10 @@ double LoadStepping::step_end(double t, double dt) const {
   return t + dt < next - snap * nominal ? t + dt : next;
 }
 
-LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, double t,
+LoadStepping::Attempt LoadStepping::attempt(Course& course, double t,
                                             const IterationCallback& observer) {
+  NonlinearSystem& system = course.system;
+  Vector& x = course.x;
   Attempt tried;
   int solves = 0;
   // Counted as they come, for an exception takes the result along.
@@ -119,7 +155,7 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
   try {
     system.set_time(t);
     loop_.newton().begin_step(x);
-    predict(system, x);
+    tried.extrapolated = course.start.predict(system, x, t - course.result.t);
     tried.result = loop_.solve(system, x, counting_observer);
     if (tried.result.converged)
       system.require_consistent();
@@ -131,16 +167,6 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
   tried.augmentations =
       tried.result.solves.empty() ? std::max(0, solves - 1) : tried.result.augmentations;
   return tried;
-}
-
-void LoadStepping::predict(NonlinearSystem& system, Vector& x) {
-  Vector rhs(x.getMap()), dx(x.getMap());
-  const auto tangent = system.predictor(x, rhs);
-  auto& linear = loop_.newton().linear();
-  linear.setup(tangent, system.graph_version(), system.symmetric());
-  linear.solve(rhs, dx, loop_.newton().linear_tolerance());
-  x.update(1.0, dx, 1.0);
-  system.apply_constraints(x);
 }
 
 } // namespace abut::solver

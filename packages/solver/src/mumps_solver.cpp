@@ -100,14 +100,15 @@ public:
     return symmetric == symmetric_ && (&map == map_.get() || map.isSameAs(*map_));
   }
 
-  void factor(const Matrix& matrix, long graph_version) {
+  /// Whether there are new factors: not where the old ones serve.
+  bool factor(const Matrix& matrix, long graph_version) {
     const bool analysed = analysed_ && graph_version == graph_version_;
     if (!analysed)
       read_graph(matrix);
     const std::vector<double> before = std::move(values_);
     read_values(matrix);
     if (analysed && factored_ && !comm_.any(differ(before, values_)))
-      return; // an augmentation that changed no point's status, a linear scene
+      return false; // an augmentation that changed no point's status, a linear scene
     factored_ = false;
     if (!analysed) {
       analysed_ = false;
@@ -128,6 +129,7 @@ public:
     if (data_.infog[27] > 0)
       throw SolveError(singular_message);
     factored_ = true;
+    return true;
   }
 
   /// x = A^-1 b with the present factors.
@@ -242,14 +244,15 @@ private:
   std::vector<int> counts_, offsets_;
 };
 
-MumpsSolver::MumpsSolver(PhaseTimers* timers) : LinearSolver(timers) {}
+MumpsSolver::MumpsSolver(PhaseTimers* timers) : LinearSolver("direct", timers) {}
 MumpsSolver::~MumpsSolver() = default;
 
 void MumpsSolver::do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) {
   matrix_ = matrix;
   if (!instance_ || !instance_->fits(*matrix->getRowMap(), symmetric))
     instance_ = std::make_unique<Instance>(matrix->getRowMap(), symmetric);
-  instance_->factor(*matrix, graph_version);
+  if (instance_->factor(*matrix, graph_version))
+    count_setup();
 }
 
 LinearResult MumpsSolver::do_solve(const Vector& b, Vector& x, double) {

@@ -6,6 +6,7 @@
 #include "abut/solver/linear_solver.hpp"
 #include "abut/solver/nonlinear_system.hpp"
 #include "convergence_test.hpp"
+#include "forcing_term.hpp"
 #include "line_search.hpp"
 #include "parameter_text.hpp"
 #include "thyra_model.hpp"
@@ -33,7 +34,8 @@ private:
   NonlinearSystem& system_;
 };
 
-RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double linear_tolerance,
+RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options,
+                                           std::optional<double> linear_tolerance,
                                            bool indefinite) {
   const auto list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
@@ -41,7 +43,7 @@ RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double 
   newton.set("Forcing Term Method", "Constant");
   // NOX would go on with whatever a failed linear solve left behind.
   newton.set("Rescue Bad Newton Solve", false);
-  newton.sublist("Linear Solver").set("Tolerance", linear_tolerance);
+  newton.sublist("Linear Solver").set("Tolerance", linear_tolerance.value_or(ForcingTerm::finest));
   auto& search = list->sublist("Line Search");
   if (options.line_search == LineSearch::automatic) {
     search.set("Method", "User Defined");
@@ -57,6 +59,13 @@ RCP<Teuchos::ParameterList> nox_parameters(const NewtonOptions& options, double 
   printing.set("Error Stream", nowhere);
   merge_parameter_text(options.nox, "NOX", *list);
   return list;
+}
+
+/// Whether NOX is left to ask for the one tolerance that nox_parameters gave it.
+bool asks_for_default(Teuchos::ParameterList& list) {
+  auto& newton = list.sublist("Direction").sublist("Newton");
+  return newton.get<std::string>("Forcing Term Method") == "Constant" &&
+         newton.sublist("Linear Solver").get<double>("Tolerance") == ForcingTerm::finest;
 }
 
 RCP<NOX::Solver::Generic> build_solver(const RCP<NOX::Abstract::Group>& group,
@@ -75,9 +84,17 @@ RCP<NOX::Solver::Generic> build_solver(const RCP<NOX::Abstract::Group>& group,
 
 } // namespace
 
-NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options, double linear_tolerance)
-    : linear_(linear), options_(std::move(options)), linear_tolerance_(linear_tolerance) {
+NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options,
+                           std::optional<double> linear_tolerance)
+    : linear_(linear), options_(std::move(options)), linear_tolerance_(linear_tolerance),
+      forcing_(std::make_unique<ForcingTerm>()) {
   nox_parameters(options_, linear_tolerance_, false);
+}
+
+NewtonSolver::~NewtonSolver() = default;
+
+double NewtonSolver::predictor_tolerance() {
+  return linear_tolerance_ ? *linear_tolerance_ : forcing_->predictor_tolerance();
 }
 
 void NewtonSolver::begin_step(const Vector& x) {
@@ -87,21 +104,24 @@ void NewtonSolver::begin_step(const Vector& x) {
 
 NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
                                  const IterationCallback& observer, const EarlyEnd& early) {
+  const auto list = nox_parameters(options_, linear_tolerance_, system.indefinite());
+  list->sublist("Solver Options")
+      .set<RCP<NOX::Observer>>("Observer", rcp(new IterateObserver(system)));
+  ForcingTerm* const forcing =
+      !linear_tolerance_ && asks_for_default(*list) ? forcing_.get() : nullptr;
+  forcing_->begin_solve(system, options_.tolerance);
   const auto model = make_thyra_model(system);
   const auto start = thyra_vector(*model, rcp(new Vector(x, Teuchos::Copy)));
   const RCP<Thyra::PreconditionerBase<double>> no_preconditioner;
   const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
-  const RCP<NOX::Abstract::Group> group =
-      rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(start), model, model->create_W_op(),
-                                make_solve_factory(linear_), no_preconditioner, no_factory));
+  const RCP<NOX::Abstract::Group> group = rcp(
+      new NOX::Thyra::Group(NOX::Thyra::Vector(start), model, model->create_W_op(),
+                            make_solve_factory(linear_, forcing), no_preconditioner, no_factory));
   RCP<const Vector> origin = step_start_;
   if (origin.is_null())
     origin = rcp(new Vector(x, Teuchos::Copy));
   const IncrementScale scale{*origin, largest_work_};
   const auto test = rcp(new ConvergenceTest(system, linear_, options_, early, scale, observer));
-  const auto list = nox_parameters(options_, linear_tolerance_, system.indefinite());
-  list->sublist("Solver Options")
-      .set<RCP<NOX::Observer>>("Observer", rcp(new IterateObserver(system)));
   const auto solver = build_solver(group, test, list);
   try {
     solver->solve();

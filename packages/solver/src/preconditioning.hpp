@@ -29,6 +29,19 @@ public:
   }
 };
 
+/// What is asked for; for `automatic`, multigrid where the system's rows are nodes at known places,
+/// else incomplete factors. Throws InputError where multigrid is asked for and they are not.
+/// Collective.
+Preconditioner choose_preconditioner(Preconditioner asked, const NonlinearSystem& system);
+
+/// As decks call it. Throws Defect for `automatic`.
+const char* name(Preconditioner preconditioner);
+
+/// By options.preconditioner, which must have been chosen.
+std::unique_ptr<Preconditioning> make_preconditioning(const LinearOptions& options,
+                                                      const NonlinearSystem& system,
+                                                      const LogSink& log);
+
 /// Node-block multigrid, see abut::multigrid. The system must know the places of its rows.
 std::unique_ptr<Preconditioning> make_cycle_preconditioning(const NonlinearSystem& system);
 

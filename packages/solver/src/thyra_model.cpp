@@ -5,6 +5,7 @@
 #include "abut/core/trilinos.hpp"
 #include "abut/solver/linear_solver.hpp"
 #include "abut/solver/nonlinear_system.hpp"
+#include "forcing_term.hpp"
 
 #include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>
@@ -90,7 +91,7 @@ private:
 
 class Solve : public Thyra::LinearOpWithSolveBase<double> {
 public:
-  explicit Solve(LinearSolver& linear) : linear_(linear) {}
+  Solve(LinearSolver& linear, ForcingTerm* forcing) : linear_(linear), forcing_(forcing) {}
 
   void initialize(const RCP<const Thyra::LinearOpBase<double>>& forward) {
     forward_ = forward;
@@ -133,8 +134,12 @@ private:
     Thyra::SolveStatus<double> status;
     status.achievedTol = 0.0;
     for (std::size_t j = 0; j < right->getNumVectors(); ++j) {
-      const auto result =
-          linear_.solve(*right->getVector(j), *left->getVectorNonConst(j), tolerance);
+      const auto column = right->getVector(j);
+      if (forcing_)
+        tolerance = forcing_->tolerance(column->norm2());
+      const auto result = linear_.solve(*column, *left->getVectorNonConst(j), tolerance);
+      if (forcing_)
+        forcing_->solved(result.relative_residual);
       status.achievedTol = std::max(status.achievedTol, result.relative_residual);
     }
     status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
@@ -142,19 +147,20 @@ private:
   }
 
   LinearSolver& linear_;
+  ForcingTerm* forcing_;
   RCP<const Thyra::LinearOpBase<double>> forward_;
 };
 
 class SolveFactory : public Thyra::LinearOpWithSolveFactoryBase<double> {
 public:
-  explicit SolveFactory(LinearSolver& linear) : linear_(linear) {}
+  SolveFactory(LinearSolver& linear, ForcingTerm* forcing) : linear_(linear), forcing_(forcing) {}
 
   bool isCompatible(const Thyra::LinearOpSourceBase<double>& source) const override {
     const auto held = Extraction::getConstTpetraOperator(source.getOp());
     return !Teuchos::rcp_dynamic_cast<const CurrentTangent>(held).is_null();
   }
   RCP<Thyra::LinearOpWithSolveBase<double>> createOp() const override {
-    return rcp(new Solve(linear_));
+    return rcp(new Solve(linear_, forcing_));
   }
   void initializeOp(const RCP<const Thyra::LinearOpSourceBase<double>>& source,
                     Thyra::LinearOpWithSolveBase<double>* op,
@@ -186,6 +192,7 @@ public:
 
 private:
   LinearSolver& linear_;
+  ForcingTerm* forcing_;
   RCP<Teuchos::ParameterList> list_;
 };
 
@@ -195,8 +202,9 @@ RCP<const Thyra::ModelEvaluator<double>> make_thyra_model(NonlinearSystem& syste
   return rcp(new Model(system));
 }
 
-RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> make_solve_factory(LinearSolver& linear) {
-  return rcp(new SolveFactory(linear));
+RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> make_solve_factory(LinearSolver& linear,
+                                                                          ForcingTerm* forcing) {
+  return rcp(new SolveFactory(linear, forcing));
 }
 
 RCP<Thyra::VectorBase<double>> thyra_vector(const Thyra::ModelEvaluator<double>& model,

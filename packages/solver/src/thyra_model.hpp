@@ -8,6 +8,7 @@
 
 namespace abut::solver {
 
+class ForcingTerm;
 class LinearSolver;
 class NonlinearSystem;
 
@@ -16,8 +17,10 @@ class NonlinearSystem;
 /// model.
 RCP<const Thyra::ModelEvaluator<double>> make_thyra_model(NonlinearSystem& system);
 
-/// Solves with the W of such a model; SolveErrors of `linear` pass through.
-RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> make_solve_factory(LinearSolver& linear);
+/// Solves with the W of such a model, as exactly as `forcing` says, or where that is null as the
+/// caller does; both must outlive the factory. SolveErrors of `linear` pass through.
+RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> make_solve_factory(LinearSolver& linear,
+                                                                          ForcingTerm* forcing);
 
 /// Views of Tpetra vectors as Thyra vectors of the model's space, and back; nothing is copied.
 RCP<Thyra::VectorBase<double>> thyra_vector(const Thyra::ModelEvaluator<double>& model,

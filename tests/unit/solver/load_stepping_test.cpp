@@ -4,8 +4,8 @@
 #include "abut/solver/linear_solver.hpp"
 #include "dense_system.hpp"
 
-#include <gtest/gtest.h>
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <limits>
 
 namespace abut {
@@ -268,6 +268,108 @@ TEST(LoadStepping, GoesOnFromACheckpoint) {
   ASSERT_TRUE(resumed.result.converged);
   EXPECT_EQ(resumed.steps.size(), 2u);
   EXPECT_EQ(resumed.x, straight.x);
+}
+
+/// Springs that stiffen, pulled by a load over time; x[1] hangs on x[0]. Symmetric.
+class Springs : public DenseSystem {
+public:
+  explicit Springs(std::function<double(double)> load)
+      : DenseSystem(
+            2,
+            [this](const Values& x) {
+              if (std::abs(x[0]) > breaks_beyond)
+                return Values{};
+              return Values{2 * x[0] - x[1] + x[0] * x[0] * x[0] - load_(time), x[1] - x[0]};
+            },
+            [](const Values& x) {
+              return Values{2 + 3 * x[0] * x[0], -1, -1, 1};
+            }),
+        load_(std::move(load)) {
+    is_symmetric = true;
+  }
+  /// Kinds of the solves of each step.
+  void set_time(double t) override {
+    DenseSystem::set_time(t);
+    predicted.push_back(false);
+  }
+  RCP<const Matrix> predictor(const Vector& x, Vector& rhs) override {
+    predicted.back() = true;
+    return DenseSystem::predictor(x, rhs);
+  }
+
+  double breaks_beyond = std::numeric_limits<double>::infinity();
+  std::vector<bool> predicted;
+
+private:
+  std::function<double(double)> load_;
+};
+
+LoadResult pull(Springs& system, int steps, solver::StepPrediction prediction, Values& x_end) {
+  const auto linear = solver::make_linear_solver({}, system);
+  solver::NewtonSolver newton(*linear, {});
+  solver::AugmentedLagrangian loop(newton);
+  TimeOptions time;
+  time.steps = steps;
+  time.prediction = prediction;
+  Vector x = system.vector({0.0, 0.0});
+  const auto result = solver::LoadStepping(loop, time).run(system, x);
+  x_end = system.gather(x);
+  return result;
+}
+
+TEST(StepStart, ExtrapolationSavesSystemsAndNewtonIterations) {
+  const auto load = [](double t) { return 2.0 * t; };
+  Springs plain(load), fast(load);
+  Values x, y;
+  const auto predicted = pull(plain, 20, solver::StepPrediction::tangent, x);
+  const auto extrapolated = pull(fast, 20, solver::StepPrediction::automatic, y);
+  ASSERT_TRUE(predicted.converged && extrapolated.converged);
+  EXPECT_EQ(predicted.counters.extrapolated_steps, 0);
+  EXPECT_GE(extrapolated.counters.extrapolated_steps, 17);
+  EXPECT_LE(extrapolated.counters.newton_iterations, predicted.counters.newton_iterations);
+  EXPECT_LE(extrapolated.counters.linear_iterations,
+            predicted.counters.linear_iterations - extrapolated.counters.extrapolated_steps);
+  EXPECT_NEAR(y[0], x[0], 1e-8);
+}
+
+TEST(StepStart, LoadsThatStopOrTurnArePredicted) {
+  Values x;
+  constexpr int steps = 24; // the one after half of them is the first that differs
+  Springs held([](double t) { return std::min(t, 0.5); });
+  Springs turned([](double t) { return std::min(t, 1.0 - t); });
+  for (Springs* system : {&held, &turned}) {
+    ASSERT_TRUE(pull(*system, steps, solver::StepPrediction::automatic, x).converged);
+    EXPECT_FALSE(system->predicted[steps / 2 - 1]);
+    EXPECT_TRUE(system->predicted[steps / 2]);
+  }
+}
+
+TEST(StepStart, WithFrictionOnlyIfAsked) {
+  Values x;
+  for (const bool asked : {false, true}) {
+    Springs system([](double t) { return t; });
+    system.is_symmetric = false;
+    const auto kind =
+        asked ? solver::StepPrediction::extrapolation : solver::StepPrediction::automatic;
+    const auto result = pull(system, 10, kind, x);
+    ASSERT_TRUE(result.converged);
+    EXPECT_EQ(result.counters.extrapolated_steps > 0, asked);
+  }
+}
+
+TEST(StepStart, WhereItCannotBeEvaluatedThePredictionServes) {
+  // The load creeps towards its end: the line goes where there is no residual.
+  const auto load = [](double t) { return t < 0.55 ? t : 0.5; };
+  Springs system(load);
+  Values x;
+  ASSERT_TRUE(pull(system, 10, solver::StepPrediction::automatic, x).converged);
+  Springs brittle(load);
+  brittle.breaks_beyond = 1.01 * x[0];
+  Values y;
+  const auto result = pull(brittle, 10, solver::StepPrediction::extrapolation, y);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_EQ(result.counters.cut_backs, 0);
+  EXPECT_NEAR(y[0], x[0], 1e-8);
 }
 
 TEST(LoadStepping, RefusesMeaninglessTimes) {

@@ -15,6 +15,14 @@ template <class V> void describe(V& v, solver::TimeOptions& o) {
   v.optional("max_cuts", o.max_cuts, "in a row, on one step", at_least(0.0, "1"));
   v.optional("target_iterations", o.target_iterations,
              "Newton iterations of a step that keeps its size", at_least(1.0, "1"));
+  using solver::StepPrediction;
+  v.choice("prediction", o.prediction,
+           {{"automatic", StepPrediction::automatic,
+             "extrapolation of the last step where that tells of the next one and there is no "
+             "friction, else tangent"},
+            {"tangent", StepPrediction::tangent, "a linear solve"},
+            {"extrapolation", StepPrediction::extrapolation, "with friction, too"}},
+           "where Newton starts a step");
 }
 
 template <class V> void describe(V& v, solver::DynamicsOptions& o) {
@@ -55,7 +63,9 @@ template <class V> void describe(V& v, solver::LinearOptions& o) {
   using solver::LinearMethod;
   using solver::Preconditioner;
   v.choice("method", o.method,
-           {{"automatic", LinearMethod::automatic, "direct up to direct_limit, Krylov beyond"},
+           {{"automatic", LinearMethod::automatic,
+             "direct up to direct_limit, Krylov beyond, and direct again "
+             "where that fails"},
             {"direct", LinearMethod::direct, "MUMPS"},
             {"krylov", LinearMethod::krylov, "Belos: CG if symmetric, GMRES otherwise"}},
            "of the linear systems");
@@ -67,7 +77,10 @@ template <class V> void describe(V& v, solver::LinearOptions& o) {
             {"muelu", Preconditioner::muelu, "MueLu's smoothed aggregation"},
             {"ilu", Preconditioner::ilu, "Ifpack2 incomplete factors"}},
            "of a Krylov solve");
-  v.optional("tolerance", o.tolerance, "relative residual of a Krylov solve", positive("1"));
+  v.number_or("tolerance", o.tolerance, "automatic",
+              "relative residual of a Krylov solve; automatic: 1e-3, and tighter where Newton "
+              "comes close to its end",
+              positive("1"));
   v.optional("max_iterations", o.max_iterations, "of a Krylov solve", at_least(1.0, "1"));
 }
 

@@ -7,6 +7,8 @@
 #include "abut/solver/options.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace abut::solver {
 
@@ -17,12 +19,25 @@ struct LinearResult {
   double relative_residual = 0.0; ///< |b - A x| / |b|, computed after the solve [1]
 };
 
+/// What one method has done in a run, failures included.
+struct LinearUse {
+  std::string method;       ///< as options name it
+  long long systems = 0;    ///< matrices with which it solved
+  long long solves = 0;     ///< right-hand sides solved for
+  long long iterations = 0; ///< of these solves; a direct solve counts one
+  long long setups = 0;     ///< factorizations, or hierarchies built or renewed
+  long long failures = 0;   ///< matrices that it gave up on
+  double seconds = 0.0;     ///< wall time on this rank
+};
+
 /// Solves A x = b again and again for matrices of one row distribution. Every member is collective.
 /// Failures that a smaller load step may cure (singular matrix, no convergence) are SolveErrors,
 /// thrown on all ranks together.
 class LinearSolver {
 public:
-  explicit LinearSolver(PhaseTimers* timers = nullptr) : timers_(timers) {}
+  explicit LinearSolver(std::string method, PhaseTimers* timers = nullptr) : timers_(timers) {
+    use_.method = std::move(method);
+  }
   virtual ~LinearSolver() = default;
 
   /// Takes the values of `matrix`, which must stay as they are until the last solve with them.
@@ -34,25 +49,35 @@ public:
   /// iterative methods [1]; b = 0 gives x = 0 in no iteration.
   LinearResult solve(const Vector& b, Vector& x, double tolerance);
 
-  /// Drops everything learnt from earlier matrices that could change the next solution's last bits.
+  /// Drops what has been made of earlier matrices and could change the next solution's last bits.
   /// Called when a load step is rolled back, so that the retry does not depend on the failure.
+  /// Which methods fail in this run is not forgotten.
   virtual void forget() {}
 
   /// Sum of LinearResult::iterations so far, failed solves not counted.
-  long long total_iterations() const { return total_iterations_; }
+  long long total_iterations() const { return use_.iterations; }
+
+  /// Of each method that this solver may turn to, in the order in which it does. Not collective.
+  virtual std::vector<LinearUse> uses() const { return {use_}; }
+
+protected:
+  void count_setup() { ++use_.setups; }
 
 private:
   virtual void do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) = 0;
   virtual LinearResult do_solve(const Vector& b, Vector& x, double tolerance) = 0;
+  template <class Work> void measured(Work work);
 
   PhaseTimers* timers_;
-  long long total_iterations_ = 0;
+  LinearUse use_;
+  bool solved_ = false, failed_ = false; ///< with the present matrix
 };
 
-/// The solver that `options` ask for. Automatic: direct up to `direct_limit` unknowns, Krylov
-/// beyond, and direct there too (with a warning to `log`) where Krylov fails. The system gives the
-/// number of unknowns and the node layout for multigrid. `timers` may be null and must outlive the
-/// solver.
+/// The solver that `options` ask for. Automatic: direct up to `direct_limit` unknowns and where
+/// multipliers are among the unknowns, Krylov beyond, and direct there too (with a warning to
+/// `log`) where Krylov fails or takes longer than a factorization would. The choice goes to `log`.
+/// The system gives the number of unknowns and the node layout for multigrid. `timers` may be null
+/// and must outlive the solver.
 std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options,
                                                  const NonlinearSystem& system,
                                                  const LogSink& log = {},

@@ -17,6 +17,7 @@ struct Counters {
   long long augmentations = 0;
   long long linear_iterations = 0; ///< predictors included
   long long cut_backs = 0;
+  long long extrapolated_steps = 0; ///< converged ones whose start was no linear solve
 };
 
 /// A converged load step.
@@ -42,8 +43,9 @@ struct LoadResult {
 };
 
 /// Raises the load parameter t from `start` to `end`. A failed step is rolled back, x bit for bit,
-/// and tried again at half its size; after steps that converge easily the size grows again by half,
-/// up to the nominal one. Not adaptive: the first failed step ends the run.
+/// and tried again from a linear prediction if that is not where it started, else at half its size;
+/// after steps that converge easily the size grows again by half, up to the nominal one. Not
+/// adaptive: the first failed step ends the run.
 class LoadStepping {
 public:
   /// `loop` must outlive this object. Throws InputError for steps that are not positive.
@@ -59,9 +61,12 @@ private:
     AugmentedResult result;
     std::string reason; ///< of failure; empty: the attempt converged
     int iterations = 0, augmentations = 0;
+    bool extrapolated = false;
   };
-  Attempt attempt(NonlinearSystem& system, Vector& x, double t, const IterationCallback& observer);
-  void predict(NonlinearSystem& system, Vector& x);
+  struct Course;
+  Attempt attempt(Course& course, double t, const IterationCallback& observer);
+  void finish_step(Course& course, const Attempt& tried, double t, const StepCallback& on_step);
+  bool cut(Course& course, double t, const std::string& reason);
   double step_end(double t, double dt) const;
 
   AugmentedLagrangian& loop_;

@@ -5,11 +5,14 @@
 #include "abut/solver/options.hpp"
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace abut::solver {
 
+class ForcingTerm;
 class LinearSolver;
 class NonlinearSystem;
 
@@ -46,8 +49,11 @@ struct EarlyEnd {
 class NewtonSolver {
 public:
   /// `linear` must outlive the solver. `linear_tolerance`: relative residual asked of each linear
-  /// solve, unless the user's NOX list chooses forcing terms. Throws InputError for a bad NOX list.
-  NewtonSolver(LinearSolver& linear, NewtonOptions options, double linear_tolerance = 1e-8);
+  /// solve; none: forcing terms, no tighter than Newton has use for. Either way, the user's NOX
+  /// list may choose its own. Throws InputError for a bad NOX list.
+  NewtonSolver(LinearSolver& linear, NewtonOptions options,
+               std::optional<double> linear_tolerance = std::nullopt);
+  ~NewtonSolver();
 
   /// Solves system.residual(x) = 0 from x on, which is overwritten by the last iterate. The last
   /// residual of the system has then been evaluated at x. Not to converge within the iterations is
@@ -62,12 +68,14 @@ public:
 
   LinearSolver& linear() { return linear_; }
   const NewtonOptions& options() const { return options_; }
-  double linear_tolerance() const { return linear_tolerance_; }
+  /// Of the linear solve that predicts a step. [1]
+  double predictor_tolerance();
 
 private:
   LinearSolver& linear_;
   NewtonOptions options_;
-  double linear_tolerance_;
+  std::optional<double> linear_tolerance_;
+  std::unique_ptr<ForcingTerm> forcing_;
   RCP<const Vector> step_start_; ///< null: none is known
   double largest_work_ = 0.0;    ///< |dx . f| of the step's corrections so far [energy]
 };

@@ -9,18 +9,24 @@
 namespace abut::solver {
 
 enum class LinearMethod {
-  automatic, ///< direct below `direct_limit` unknowns, Krylov beyond
+  automatic, ///< direct up to `direct_limit` unknowns, Krylov beyond; see make_linear_solver
   direct,    ///< MUMPS
   krylov,    ///< Belos: CG for a symmetric operator, GMRES otherwise
 };
 enum class Preconditioner { automatic, multigrid, muelu, ilu };
+enum class StepPrediction {
+  automatic,     ///< extrapolation where the last step tells of the next one
+  tangent,       ///< a linear solve with the tangent of the last state
+  extrapolation, ///< the same where friction makes the way matter
+};
 enum class LineSearch { automatic, none };
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
-  long long direct_limit = 150000;
+  long long direct_limit = 10000;
   Preconditioner preconditioner = Preconditioner::automatic;
-  double tolerance = 1e-8; ///< of a Krylov solve, relative residual [1]
+  /// Of a Krylov solve, relative residual; none: as exact as Newton has use for. [1]
+  std::optional<double> tolerance;
   int max_iterations = 500;
   /// Trilinos parameter lists as XML text, merged over abut's own: Belos, MueLu, Ifpack2.
   std::string belos, muelu, ifpack2;
@@ -46,6 +52,7 @@ struct TimeOptions {
   bool adaptive = true;       ///< grow again after a cut, and cut after a failed step
   double min_fraction = 1e-3; ///< smallest step as a fraction of end/steps
   int max_cuts = 8;           ///< in a row, on one step
+  StepPrediction prediction = StepPrediction::automatic;
   int target_iterations = 10; ///< Newton iterations of a step that keeps its size
 };
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/solver/linear_solver.hpp"
+
+#include <memory>
+
+namespace abut::solver {
+
+/// A cheap method, and a sure one for every matrix on which the cheap one throws a SolveError: the
+/// very same system is then solved by the other. After each failure the cheap one is spared twice
+/// as many matrices as after the one before, and then tried again: one hard state does not decide
+/// over a whole run, and a hard run loses little.
+class EscalatingSolver : public LinearSolver {
+public:
+  EscalatingSolver(std::unique_ptr<LinearSolver> cheap, std::unique_ptr<LinearSolver> sure,
+                   LogSink log, PhaseTimers* timers = nullptr);
+
+  void forget() override;
+  std::vector<LinearUse> uses() const override;
+
+private:
+  void do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) override;
+  LinearResult do_solve(const Vector& b, Vector& x, double tolerance) override;
+  /// False where `work` threw a SolveError.
+  template <class Work> bool attempt(Work work);
+  void give_up(const std::string& why);
+
+  std::unique_ptr<LinearSolver> cheap_, sure_;
+  LogSink log_;
+  RCP<const Matrix> matrix_;
+  long graph_version_ = 0;
+  bool symmetric_ = false;
+  bool use_sure_ = false, sure_is_set_up_ = false; ///< for the present matrix
+  int spared_ = 0;                                 ///< matrices not to try the cheap one on
+  int next_spared_;                                ///< after its next failure
+};
+
+} // namespace abut::solver
