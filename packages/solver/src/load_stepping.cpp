@@ -111,7 +111,7 @@ LoadStepping::Attempt LoadStepping::attempt(NonlinearSystem& system, Vector& x, 
   const auto counting_observer = [&](const IterationReport& report) {
     if (report.iteration > 0)
       ++tried.iterations;
-    else
+    else if (!report.approach)
       ++solves;
     if (observer)
       observer(report);
