@@ -3,8 +3,8 @@
 usage: cold_start_test.py [unittest arguments] [--meshes 6 12]: faces over the half width of contact, about
 
 The predicted state overlaps by up to twenty times what the springs of the penalty carry at a pressure of E. From there
-Newton with full springs walks the contact's edge from face to face, 40 to 350 iterations with cuts; with springs as
-soft as the bodies first (SolveKind::approach) it does not, and iterations do not grow with the mesh."""
+Newton with full springs walks the contact's edge from face to face, up to 92 iterations and 4 cuts on 24 faces; with
+springs as soft as the bodies first (SolveKind::approach) it takes 7 to 14, and they do not grow with the mesh."""
 import math
 import unittest
 
