@@ -29,8 +29,10 @@ void Progress::live(const std::string& text) {
 }
 
 void Progress::iteration(const solver::IterationReport& r) {
-  const std::string text = fmt::format("  step {} augmentation {} newton {:2d}  residual {:.2e}{}",
-                                       step_, augmentation_, r.iteration, r.relative,
+  const std::string solve =
+      r.approach ? "approach" : fmt::format("augmentation {}", augmentation_);
+  const std::string text = fmt::format("  step {} {} newton {:2d}  residual {:.2e}{}", step_, solve,
+                                       r.iteration, r.relative,
                                        r.step_length > 0.0 && r.step_length < 1.0
                                            ? fmt::format("  step length {:.2f}", r.step_length)
                                            : "");

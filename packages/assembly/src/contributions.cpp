@@ -214,4 +214,9 @@ int Contributions::unsettled() const {
                                         [](const Part& p) { return !p.contribution->settled(); }));
 }
 
+int Contributions::overloaded() const {
+  return static_cast<int>(std::count_if(
+      parts_.begin(), parts_.end(), [](const Part& p) { return p.contribution->overloaded(); }));
+}
+
 } // namespace abut::assembly

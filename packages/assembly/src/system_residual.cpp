@@ -78,12 +78,17 @@ EquationSystem::Size EquationSystem::measure(const Vector& x, const double (&nor
   }
   // the same for rounding of positions, by its own unit
   stiff += contributions_.round_off_force2() / (round_off * round_off);
-  double all[6] = {norms[0], norms[1], norms[2],
-                   norms[3], stiff,    static_cast<double>(contributions_.unsettled())};
-  dofs_.mesh().comm.sum(all, 6);
+  double all[7] = {norms[0],
+                   norms[1],
+                   norms[2],
+                   norms[3],
+                   stiff,
+                   static_cast<double>(contributions_.unsettled()),
+                   static_cast<double>(contributions_.overloaded())};
+  dofs_.mesh().comm.sum(all, 7);
   return {std::sqrt(std::max({all[0], all[1], all[2], all[3]})),
           round_off * std::sqrt(all[4] + joints_.rounding_force2()),
-          all[5] == 0.0 && joints_.closed()};
+          all[5] == 0.0 && joints_.closed(), all[6] > 0.0};
 }
 
 void EquationSystem::start_motion(const TimeIntegration& rule, const Vector& x, Vector& minus_f) {

@@ -47,7 +47,7 @@ struct Interaction::Parts {
 
   bool started = false;     ///< the points have their history
   bool established = false; ///< some point was in contact at the last converged step
-  bool predicting = false;  ///< the solve under way predicts a step
+  SolveKind solve = SolveKind::newton; ///< under way
   int iterates = 0;         ///< taken in this solve
   int step_iterates = 0;    ///< taken in this step
 };
@@ -124,7 +124,8 @@ void Interaction::Parts::set_terms(double time) {
   const double scale = penalty_schedule ? penalty_schedule(time) : 1.0;
   const bool given = o.penalty_source == PenaltySource::given;
   terms.law.friction = o.friction * (friction_schedule ? friction_schedule(time) : 1.0);
-  terms.law.predicting = predicting && established;
+  terms.law.predicting = solve == SolveKind::prediction && established;
+  terms.softest = solve == SolveKind::approach ? o.modulus : 0.0;
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
   terms.user_law = bool(normal_law);
@@ -269,6 +270,33 @@ bool Interaction::settled() const {
   return true;
 }
 
+namespace {
+
+/// Closed since the last converged step, and pressed harder than the softer body is stiff.
+bool pressed_beyond(double modulus, bool before, const SiteState& site) {
+  return !before && site.pressure > modulus;
+}
+
+} // namespace
+
+bool Interaction::overloaded() const {
+  const InterfaceData& data = parts_->data;
+  const double modulus = settings().modulus;
+  if (modulus <= 0.0)
+    return false;
+  if (data.nodal) {
+    const NodalArrays& nodes = data.nodal->arrays();
+    for (Local n = 0; n < nodes.nodes(); ++n)
+      if (pressed_beyond(modulus, nodes.converged(n).in_contact, nodes.site(n)))
+        return true;
+    return false;
+  }
+  for (Local i = 0; i < data.points.size(); ++i)
+    if (pressed_beyond(modulus, data.points.converged(i).in_contact, data.points.state(i).site))
+      return true;
+  return false;
+}
+
 void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
   const InterfaceData& data = parts_->data;
   Kokkos::parallel_for(
@@ -306,9 +334,10 @@ void Interaction::begin_step() {
 
 void Interaction::begin_solve(SolveKind kind) {
   Parts& p = *parts_;
-  const bool predicting = kind == SolveKind::prediction;
-  p.state_version += predicting != p.predicting;
-  p.predicting = predicting;
+  p.state_version += kind != p.solve;
+  if (p.solve == SolveKind::approach)
+    restart_search(p.data);
+  p.solve = kind;
   p.iterates = 0;
 }
 
@@ -316,7 +345,7 @@ void Interaction::iterate_taken() {
   Parts& p = *parts_;
   if (p.data.acts)
     take_iterate(p.data, p.step_iterates == 0);
-  ++p.step_iterates;
+  p.step_iterates += p.solve != SolveKind::approach;
   ++p.iterates;
   ++p.state_version;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/solver/augmented.hpp"
 
+#include "abut/core/error.hpp"
+#include "abut/core/trilinos.hpp"
+
 #include <algorithm>
 
 namespace abut::solver {
@@ -8,7 +11,33 @@ namespace abut::solver {
 namespace {
 constexpr double loosest = 1e-3;        ///< tolerance of a solve that multipliers change after
 constexpr double share_of_change = 0.1; ///< of the last change of the multipliers, and of its force
+constexpr double near = 1e-2;           ///< tolerance of an approach
 } // namespace
+
+int AugmentedLagrangian::approach(NonlinearSystem& system, Vector& x,
+                                  const IterationCallback& observer) {
+  Vector f(x.getMap());
+  system.residual(x, f);
+  if (!system.overloaded())
+    return 0;
+  const Vector start(x, Teuchos::Copy);
+  int iterations = 0;
+  const auto marked = [&](IterationReport report) {
+    iterations = report.iteration;
+    report.approach = true;
+    if (observer)
+      observer(report);
+  };
+  system.begin_solve(SolveKind::approach);
+  bool arrived = false;
+  try {
+    arrived = newton_.solve(system, x, marked, {near, 1.0}).converged;
+  } catch (const SolveError&) { // Newton has another start
+  }
+  if (!arrived)
+    Tpetra::deep_copy(x, start);
+  return iterations;
+}
 
 AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
                                            const IterationCallback& observer) {
@@ -17,6 +46,7 @@ AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
   const bool inexact = augment_ && newton_.options().inexact;
   EarlyEnd early;
   early.tolerance = inexact ? loosest : 0.0;
+  result.iterations = approach(system, x, observer);
   system.begin_solve(SolveKind::newton);
   for (;;) {
     result.solves.push_back(newton_.solve(system, x, observer, early));

@@ -147,7 +147,7 @@ LoadStepping::Attempt LoadStepping::attempt(Course& course, double t,
   const auto counting_observer = [&](const IterationReport& report) {
     if (report.iteration > 0)
       ++tried.iterations;
-    else
+    else if (!report.approach)
       ++solves;
     if (observer)
       observer(report);

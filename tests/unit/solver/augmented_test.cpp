@@ -64,6 +64,51 @@ TEST_F(Augmented, WithoutCallbackIsOnePenaltySolve) {
   EXPECT_NEAR(system.gather(*x)[1], stop.gap + penetration, 1e-13);
 }
 
+TEST_F(Augmented, ApproachesFromAnOverloadedState) {
+  system.is_overloaded = true;
+  int approached = 0, newton_from = -1;
+  const auto observer = [&](const solver::IterationReport& r) {
+    if (r.approach)
+      approached = r.iteration;
+    else if (r.iteration == 0)
+      newton_from = r.residual < 1e-2 * system.reference;
+  };
+  const auto result = solver::AugmentedLagrangian(*newton).solve(system, *x, observer);
+  ASSERT_TRUE(result.converged);
+  EXPECT_EQ(system.solves, (std::vector{SolveKind::approach, SolveKind::newton}));
+  EXPECT_GT(approached, 0);
+  EXPECT_EQ(newton_from, 1);
+  EXPECT_EQ(result.iterations, approached + result.solves.front().iterations);
+  EXPECT_EQ(result.solves.size(), 1u);
+}
+
+TEST_F(Augmented, GoesOnFromThePredictedStateWhereAnApproachFails) {
+  DenseSystem* self = nullptr;
+  int met = 0;
+  DenseSystem cliff(
+      1,
+      [&](const Values& v) {
+        const bool falls = self->solves.back() == SolveKind::approach && v[0] != 0.0;
+        met += falls;
+        return falls ? Values() : Values{v[0] - 1.0};
+      },
+      [](const Values&) { return Values{1.0}; });
+  self = &cliff;
+  cliff.is_overloaded = true;
+  cliff.solves = {SolveKind::prediction};
+  Vector at = cliff.vector({0.0});
+  double first = 0.0;
+  const auto result =
+      solver::AugmentedLagrangian(*newton).solve(cliff, at, [&](const solver::IterationReport& r) {
+        if (!r.approach && r.iteration == 0)
+          first = r.residual;
+      });
+  ASSERT_TRUE(result.converged) << result.reason;
+  EXPECT_GT(met, 0);
+  EXPECT_EQ(first, 1.0); // at the start, not where the approach left off
+  EXPECT_NEAR(cliff.gather(at)[0], 1.0, 1e-12);
+}
+
 TEST_F(Augmented, ContractsByTheUzawaFactor) {
   Values errors;
   const auto augment = [&](int) {

@@ -50,6 +50,7 @@ public:
   long graph_version() const override { return version_; }
   bool symmetric() const override { return is_symmetric; }
   bool indefinite() const override { return is_indefinite; }
+  bool overloaded() const override { return is_overloaded; }
   double reference_force() const override { return reference; }
 
   void begin_solve(SolveKind kind) override { solves.push_back(kind); }
@@ -74,7 +75,7 @@ public:
   }
 
   double reference = 1.0, time = 0.0;
-  bool is_symmetric = false, is_indefinite = false, changing_graph = false;
+  bool is_symmetric = false, is_indefinite = false, is_overloaded = false, changing_graph = false;
   int evaluations = 0, accepted = 0, rejected = 0;
   std::vector<SolveKind> solves; ///< begun
 

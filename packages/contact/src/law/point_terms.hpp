@@ -22,6 +22,7 @@ struct PointTerms {
   double stiffness = 0.0;     ///< f E [pressure]
   double soft_modulus = 0.0;  ///< of the spring that decides between stick and slip; 0: the return
                               ///< map decides [pressure]
+  double softest = 0.0;       ///< E while springs are no stiffer than the bodies, else 0 [pressure]
   double offset = 0.0;        ///< gap that counts as closed [length]
   double fade = 1.0;          ///< part of the initial overlap that is left
   double stick_within = 0.0;  ///< [length]
@@ -39,9 +40,12 @@ struct PointTerms {
   /// eps = f E A/V with E of the softer body (theory: eq. 595, 596).
   KOKKOS_INLINE_FUNCTION double penalty_of(const PrimaryView& primary, const FacingView& facing,
                                            Local face, Local other) const {
-    return penalty > 0.0
-               ? penalty
-               : stiffness * inverse_depth(primary, facing, face, other) * primary.stretch(face);
+    const double given =
+        penalty > 0.0
+            ? penalty
+            : stiffness * inverse_depth(primary, facing, face, other) * primary.stretch(face);
+    const double soft = softest * inverse_depth(primary, facing, face, other);
+    return soft > 0.0 && soft < given ? soft : given;
   }
 };
 

@@ -57,6 +57,7 @@ public:
   double round_off_force2() const; ///< see Contribution; of this rank
   long state_version() const;      ///< of all; grows with every change; of this rank
   int unsettled() const;           ///< how many; of this rank
+  int overloaded() const;          ///< likewise
 
 private:
   struct Part {

@@ -60,6 +60,8 @@ public:
   double round_off_force() const { return size_.round_off; }
   /// Whether the last residual follows the true laws, see Contribution::settled.
   bool settled() const { return size_.settled; }
+  /// Whether the last residual has forces beyond what bodies carry, see Contribution::overloaded.
+  bool overloaded() const { return size_.overloaded; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
@@ -100,7 +102,7 @@ private:
   /// What the last residual is compared with.
   struct Size {
     double reference = 0.0, round_off = 0.0;
-    bool settled = true;
+    bool settled = true, overloaded = false;
   };
   void prepare(const Vector& x);
   void scale_joints();

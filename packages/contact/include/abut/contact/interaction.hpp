@@ -63,6 +63,7 @@ public:
   bool symmetric() const override;
   double round_off_force2() const override;
   bool settled() const override;
+  bool overloaded() const override;
   void begin_step() override;
   void begin_solve(SolveKind kind) override;
   void iterate_taken() override;

@@ -40,6 +40,9 @@ enum class SolveKind {
   /// One linear solve that moves the last state along with the new loads: u is the last step's
   /// while loads and prescribed bodies are already the next one's.
   prediction,
+  /// Newton's iteration toward a state that the next solve can start from, see
+  /// Contribution::overloaded: laws stiffer than the bodies are as soft as they are.
+  approach,
   newton,             ///< Newton's iteration of a step
   after_augmentation, ///< the same again, after multipliers have changed
 };
@@ -92,10 +95,15 @@ public:
   /// stands in for another on the way there. A solve does not end before all are settled.
   virtual bool settled() const { return true; }
 
+  /// Whether forces of the last prepared residual are larger on this rank than any that the bodies
+  /// could balance: the state is too far from equilibrium for a linearisation to lead there.
+  virtual bool overloaded() const { return false; }
+
   // Events. A residual is a function of the unknowns, the converged history and the iterate state;
   // only these, and what changes multipliers, change the latter two. In their order:
   //   begin_step
   //   begin_solve(prediction)
+  //   begin_solve(approach), iterate_taken ..., where the predicted state is overloaded
   //   begin_solve(newton), iterate_taken for each iterate that Newton goes on from
   //   begin_solve(after_augmentation), iterates again, as often as multipliers change
   //   accept or reject

@@ -21,6 +21,7 @@ public:
   double reference_force() const override { return equations_.reference_force(); }
   double round_off_force() const override { return equations_.round_off_force(); }
   bool settled() const override { return equations_.settled(); }
+  bool overloaded() const override { return equations_.overloaded(); }
   void require_consistent() const override { equations_.require_consistent(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   std::vector<RowPlace> row_places() const override;

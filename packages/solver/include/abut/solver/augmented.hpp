@@ -42,6 +42,10 @@ public:
   NewtonSolver& newton() { return newton_; }
 
 private:
+  /// From a predicted state that is overloaded to one that Newton leads on from, if that can be had;
+  /// returns the iterations taken.
+  int approach(NonlinearSystem& system, Vector& x, const IterationCallback& observer);
+
   NewtonSolver& newton_;
   AugmentCallback augment_;
 };

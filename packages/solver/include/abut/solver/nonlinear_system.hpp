@@ -41,6 +41,9 @@ public:
 
   /// Whether the last residual is of the true laws; a solve does not end before.
   virtual bool settled() const { return true; }
+  /// Whether the last residual has forces beyond what the bodies can balance: a solve of the kind
+  /// `approach` then comes first.
+  virtual bool overloaded() const { return false; }
   /// Asked when a solve has converged: throws SolveError where its end is no solution after all.
   virtual void require_consistent() const {}
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Springs as soft as the bodies where a step starts from a deep overlap.
+#include "dual_scene.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace abut;
+using namespace abut::contact;
+using abut::contact::testing::DualScene;
+
+namespace {
+
+constexpr double modulus = 2.0, inverse_depth = 3.0; ///< E, A/V: springs of E A/V = 6
+constexpr double soft = modulus * inverse_depth;
+
+struct Approach : ::testing::TestWithParam<std::tuple<Multipliers, double>> {
+  static ContactOptions options(double penalty) {
+    ContactOptions o;
+    o.name = "pair";
+    o.penalty = penalty;
+    o.enforcement = Enforcement::augmented_lagrangian;
+    o.multipliers = std::get<0>(GetParam());
+    o.friction = std::get<1>(GetParam());
+    return o;
+  }
+  /// A scene between bodies that are elastic.
+  static std::unique_ptr<DualScene> scene(double penalty) {
+    auto s = std::make_unique<DualScene>(fem::FaceType::quad4, fem::FaceType::quad4,
+                                         options(penalty), 0.05);
+    for (mesh::Surface* side : {&s->upper, &s->lower}) {
+      side->modulus.assign(side->type.size(), modulus);
+      side->inverse_depth.assign(side->type.size(), inverse_depth);
+    }
+    s->pair = std::make_unique<Interaction>(Comm(MPI_COMM_WORLD), s->upper, s->lower,
+                                            options(penalty), s->timers);
+    return s;
+  }
+  static std::vector<double> residual(DualScene& s) {
+    s.system.evaluate(*s.pair, false);
+    return s.system.residual;
+  }
+};
+
+TEST_P(Approach, HasSpringsAsSoftAsTheBodiesUntilItEnds) {
+  const auto stiff = scene(40.0 * soft), same = scene(soft);
+  const std::vector<double> before = residual(*stiff);
+  EXPECT_TRUE(stiff->pair->overloaded());
+  stiff->pair->begin_solve(SolveKind::approach);
+  const std::vector<double> during = residual(*stiff), expected = residual(*same);
+  EXPECT_FALSE(same->pair->overloaded());
+  EXPECT_FALSE(stiff->pair->overloaded());
+  double most = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(during[i], expected[i], 1e-14);
+    most = std::max(most, std::fabs(before[i] - during[i]));
+  }
+  EXPECT_GT(most, 1e-2);
+  stiff->pair->begin_solve(SolveKind::newton);
+  EXPECT_EQ(residual(*stiff), before);
+}
+
+TEST_P(Approach, IsForContactThatWasNotThereAtTheLastStep) {
+  const auto s = scene(40.0 * soft);
+  residual(*s);
+  ASSERT_TRUE(s->pair->overloaded());
+  s->pair->accept();
+  s->pair->begin_step();
+  residual(*s);
+  EXPECT_FALSE(s->pair->overloaded()); // bodies that bear such a pressure did so before
+}
+
+TEST_P(Approach, LeavesSofterSpringsAlone) {
+  const auto s = scene(0.5 * soft);
+  const std::vector<double> before = residual(*s);
+  s->pair->begin_solve(SolveKind::approach);
+  EXPECT_EQ(residual(*s), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spaces, Approach,
+                         ::testing::Combine(::testing::Values(Multipliers::per_point,
+                                                              Multipliers::smoothed,
+                                                              Multipliers::dual),
+                                            ::testing::Values(0.0, 0.3)));
+
+} // namespace
