@@ -16,7 +16,7 @@ namespace abut::multigrid {
 
 struct Options {
   /// A coupling is weak where the evolution measure is more than so many times the least of its
-  /// rows. Infinity: all are strong. Olson, Schroder, Tuminaro (2010) take 4; the faces of
+  /// rows. Infinity: all are strong. Olson, Schroder, Tuminaro (2010); PyAMG takes 4, but the faces of
   /// trilinear cubes have 3.96, which this value stays clear of. [1]
   double drop_tolerance = 6.0;
   /// Over the largest eigenvalue of D^-1 A, the weight that smooths prolongators. [1]
