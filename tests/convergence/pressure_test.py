@@ -6,7 +6,8 @@ meshes: facets for each contact radius
 The best a continuous bilinear pressure can do is lost on the one ring of faces that the contact edge cuts: an error of
 order h/a. 0.41 to 0.49 h/a were measured on three meshes for averages at nodes, whatever the enforcement, and 0.52
 with points at nodes. Points that
-read smoothed multipliers open one by one and lose half of that.
+read smoothed multipliers open one by one and lose half of that, in the mean over places of the edge within its face: at
+one place the error is that of the points which the edge has just passed, 0.2 to 0.31 h/a over one face.
 """
 import unittest
 
@@ -22,8 +23,10 @@ FINEST = 2.5944e-4  # force on the whole paraboloid, from 4 and 8 facets with mu
 
 
 class Pressures(unittest.TestCase):
-    def run_scene(self, label, facets, **options):
-        scores = pressure_study.Scores(pressure_study.deck(facets, **study.contact(KNOWN, **options)))
+    def run_scene(self, label, facets, loads=1, **options):
+        approaches = pressure_study.loads(facets, loads)
+        deck = pressure_study.deck(facets, approaches=approaches, **study.contact(KNOWN, **options))
+        scores = pressure_study.Scores(deck)
         print(f"{label:20s} nf={facets} {scores}", flush=True)
         self.assertGreater(scores.summary["contact"]["pair"]["active_points"], 2 * facets**2)
         return scores
@@ -53,10 +56,16 @@ class Pressures(unittest.TestCase):
             with self.subTest(space=space):
                 errors = []
                 for facets in KNOWN.meshes:
-                    run = self.run_scene(space, facets, multipliers=space, penalty_factor=FACTOR[space], **MULTIPLIERS)
+                    options = {"multipliers": space, "penalty_factor": FACTOR[space], **MULTIPLIERS}
+                    run = self.run_scene(space, facets, **options)
                     faces = run.facets_per_radius[-1]
-                    errors.append(run.point[-1] if space == "smoothed" else run.nodal[-1])
-                    self.assertLess(errors[-1], (0.3 if space == "smoothed" else 0.52) / faces)
+                    if space == "smoothed":
+                        moved = self.run_scene("smoothed, 5 loads", facets, 5, **options)
+                        errors.append(moved.point.mean())
+                        self.assertLess((moved.point * moved.facets_per_radius).mean(), 0.3)
+                    else:
+                        errors.append(run.nodal[-1])
+                        self.assertLess(errors[-1], 0.52 / faces)
                     # second order in h, 0.0096 and 0.008 measured; what penetrates is missing in the approach
                     missing = 1.5 * run.summary["contact"]["pair"]["max_penetration"] / pressure_study.APPROACH
                     self.assertLess(abs(run.force / FINEST - 1), 0.015 / faces**2 + missing)
