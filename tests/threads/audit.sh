@@ -13,7 +13,7 @@ mkdir -p "$1/threads"
 work=$(cd "$1/threads" && pwd)
 jobs=$2
 source=$work/source
-export OMPI_MCA_ess_singleton_isolated=1 OMP_PROC_BIND=false
+export OMPI_MCA_ess_singleton_isolated=1 OMP_PROC_BIND=false OMP_WAIT_POLICY=passive
 export TSAN_OPTIONS="suppressions=$repository/tests/threads/tsan.supp ignore_noninstrumented_modules=1"
 
 skip() {
