@@ -126,7 +126,8 @@ class Curved(unittest.TestCase):
         """The mean follows the overlap p/eps, order 1: p/eps over the heights, times the stiffness of the
         compressed column and 1/cos of the slope (1.09 in the mean of the cylinder).
         Five points for that: three leave 6 % rms on the pressures of points where faces do not fit, on any
-        mesh, and some 1e-3 of either sign on mean and force, which the loss comes down to. On faces that fit
+        mesh, and some 1e-3 of either sign on mean and force, which the loss comes down to: Newton ends in one of
+        several states, with means of -0.0055 and -0.0089 on the finer sine, where five points have one, -0.0078. On faces that fit
         three points lose 0.95 to 0.96 of what is expected, both by the mean and by the force; five on 3:2
         lose 0.98 of it by the mean."""
         meshes = KNOWN.meshes[:2]
@@ -136,14 +137,13 @@ class Curved(unittest.TestCase):
                      exact / STRETCH)  # -dp/d(stretch along z)
         for name in ("cylinder", "sine"):
             with self.subTest(shape=name):
-                runs = self.study(name, meshes, "hex20", True, **PENALTY)
+                runs = self.study(name, meshes, "hex20", True, points=5, **PENALTY)
                 self.assertGreater(study.order(meshes, [e.mean for e in runs]), 0.8)
                 if name == "cylinder":
                     face = 1 / (1.5 * meshes[-1])
                     loss = stiffness * STRETCH**2 * face / (10 * 2.2)
-                    finer = run(SHAPES[name], meshes[-1], "hex20", penalty_factor=10, points=5)
-                    print(f"  loss by overlap: expected {1.09 * loss:.5f}, five points {-finer.mean:.5f}")
-                    self.assertGreater(finer.active, 0)
+                    finer = runs[-1]
+                    print(f"  loss by overlap: expected {1.09 * loss:.5f}, measured {-finer.mean:.5f}")
                     self.assertLess(abs(finer.mean / (-1.09 * loss) - 1), 0.1)
 
     def test_quadratic_against_linear_cells(self):
