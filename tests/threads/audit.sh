@@ -46,7 +46,8 @@ fetch_source() (
 )
 
 # Kokkos's threads hand work over by a volatile int and fences, which the sanitizer cannot follow: every
-# loop would race with what comes before and after. The same int as an atomic says what is meant.
+# loop would race with what comes before and after. The same int as an atomic says what is meant. So does
+# an atomic load where atomic_fetch_add first reads what it then compares and swaps.
 show_hand_over() {
   local threads=$source/packages/kokkos/core/src/Threads
   local wait='template <class T>\nvoid spinwait_while_equal(std::atomic<T> \&flag, T value) {'
@@ -59,6 +60,8 @@ show_hand_over() {
     "$threads/Kokkos_ThreadsExec.hpp"
   sed -i 's/wait_yield(volatile int& flag/wait_yield(std::atomic<int>\& flag/' \
     "$threads/Kokkos_ThreadsExec_base.cpp"
+  sed -i 's/oldval.t = \*dest;/__atomic_load(const_cast<T*>(dest), \&oldval.t, __ATOMIC_RELAXED);/' \
+    "$threads/../impl/Kokkos_Atomic_Fetch_Add.hpp"
 }
 
 # build_trilinos NAME OPTION...: Kokkos and Sacado in a folder of their own.
