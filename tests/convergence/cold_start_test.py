@@ -16,7 +16,6 @@ KNOWN = study.arguments([6, 12])
 WAYS = {
     "penalty": {},
     "smoothed": {"enforcement": "augmented_lagrangian", "multipliers": "smoothed"},
-    "dual": {"enforcement": "augmented_lagrangian", "multipliers": "dual"},
 }
 
 

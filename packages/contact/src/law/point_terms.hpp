@@ -44,6 +44,8 @@ struct PointTerms {
         penalty > 0.0
             ? penalty
             : stiffness * inverse_depth(primary, facing, face, other) * primary.stretch(face);
+    if (softest == 0.0)
+      return given;
     const double soft = softest * inverse_depth(primary, facing, face, other);
     return soft > 0.0 && soft < given ? soft : given;
   }

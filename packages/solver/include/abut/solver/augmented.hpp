@@ -25,8 +25,8 @@ struct AugmentedResult {
 
 /// Uzawa's loop: solve with the multipliers held, let the callback update them, and again. A solve
 /// that multipliers will still change after is only taken as far as they are known; the last one
-/// has Newton's own tolerance. It knows nothing of contact; without a callback it is one Newton
-/// solve.
+/// has Newton's own tolerance. Before the first, an overloaded start is approached, see SolveKind.
+/// It knows nothing of contact; without a callback it is one Newton solve.
 class AugmentedLagrangian {
 public:
   /// `newton` must outlive the loop.
