@@ -61,6 +61,26 @@ TEST_P(Approach, HasSpringsAsSoftAsTheBodiesUntilItEnds) {
   EXPECT_TRUE(same_values(residual(*stiff), before));
 }
 
+TEST_P(Approach, EvaluationElsewhereLeavesNoTrace) {
+  const auto s = scene(40.0 * soft);
+  residual(*s);
+  s->pair->iterate_taken();
+  s->pair->begin_solve(SolveKind::approach);
+  const std::vector<double> u = s->system.u;
+  s->system.evaluate(*s->pair, true);
+  const std::vector<double> tangent = s->system.tangent, before = s->system.residual;
+  for (const double shift : {0.3, -0.05}) {
+    for (std::size_t i = 0; i < u.size(); ++i)
+      s->system.u[i] = u[i] + shift * std::sin(double(i));
+    s->system.evaluate(*s->pair, true);
+    EXPECT_NE(s->system.residual, before);
+  }
+  s->system.u = u;
+  s->system.evaluate(*s->pair, true);
+  EXPECT_TRUE(same_values(s->system.residual, before));
+  EXPECT_TRUE(same_values(s->system.tangent, tangent));
+}
+
 TEST_P(Approach, IsForContactThatWasNotThereAtTheLastStep) {
   const auto s = scene(40.0 * soft);
   residual(*s);

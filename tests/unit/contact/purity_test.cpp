@@ -107,6 +107,19 @@ TEST_P(Purity, TangentsLeaveNoTrace) {
   EXPECT_TRUE(same_values(at(2, true), tangent));
 }
 
+TEST_P(Purity, HoldsInEverySolve) {
+  for (const SolveKind kind :
+       {SolveKind::prediction, SolveKind::newton, SolveKind::after_augmentation}) {
+    scene.pair->begin_solve(kind);
+    const std::vector<double> tangent = at(2, true), residual = scene.system.residual;
+    EXPECT_GT(largest(residual), 1e-3);
+    for (int elsewhere : {3, 4, 5})
+      at(elsewhere, elsewhere == 4);
+    EXPECT_TRUE(same_values(at(2, true), tangent));
+    EXPECT_TRUE(same_values(scene.system.residual, residual));
+  }
+}
+
 // As the check of a tangent does: both sides of the state, then the state again.
 TEST_P(Purity, DifferencesLeaveNoTrace) {
   const std::vector<double> before = at(2, false);
