@@ -32,6 +32,9 @@ if(Kokkos_ENABLE_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
   target_link_libraries(abut::kokkos INTERFACE OpenMP::OpenMP_CXX) # the lists up to 13.2 have no flags
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(abut::kokkos INTERFACE -fopenmp-simd) # kernels say which loop is to be a vector
+endif()
 abut_trilinos_target(sacado Sacado Sacado::all_libs)
 if("Tpetra" IN_LIST ABUT_TRILINOS_COMPONENTS)
   abut_trilinos_target(trilinos Trilinos Trilinos::all_selected_libs)

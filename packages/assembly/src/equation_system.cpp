@@ -43,6 +43,7 @@ void EquationSystem::set_constraints(std::vector<Constraint> constraints) {
   constraints_.set_nodes(dofs_, std::move(constraints));
   constraints_.follow(time_, work_.last_x());
   tangent_.reset();
+  residual_known_ = false;
 }
 
 void EquationSystem::set_time(double t) {
@@ -107,7 +108,7 @@ void EquationSystem::prepare(const Vector& x) {
   u_ = std::move(u);
   state_version_ = state;
   prepared_ = false;
-  forces_known_ = false;
+  forces_known_ = residual_known_ = false;
   bodies_.move(std::move(placements));
   joints_.move(std::move(multipliers), time_);
   if (contributions_.prepare(fields()))
@@ -125,7 +126,7 @@ void EquationSystem::scale_joints() {
   scale_joints_ = false;
   assemble_tangent(false);
   double largest = 0.0;
-  for (const double k : contributions_.pattern().diagonal(tangent_.raw().data()))
+  for (const double k : contributions_.pattern().diagonal(tangent_.values().data()))
     largest = std::max(largest, std::fabs(k));
   largest = dofs_.mesh().comm.max(largest);
   if (largest == 0.0)
@@ -137,6 +138,10 @@ void EquationSystem::scale_joints() {
 RCP<const Matrix> EquationSystem::tangent(const Vector& x) {
   prepare(x);
   assemble_tangent(false);
+  return make_matrix();
+}
+
+RCP<const Matrix> EquationSystem::make_matrix() {
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   return tangent_.make(dofs_, constraints_.holds());
 }
@@ -151,11 +156,11 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
     forces_known_ = true;
   }
   const double weight = mass_alone ? 1.0 : motion_.weight();
-  std::vector<double>& values = tangent_.clear();
+  const View<double>& values = tangent_.clear();
   contributions_.add_tangents(true, fields(), bodies_, values.data());
   if (weight != 1.0)
-    for (double& value : values)
-      value *= weight;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] *= weight;
   if (!mass_alone)
     contributions_.add_tangents(false, fields(), bodies_, values.data());
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
@@ -170,13 +175,15 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
 
 RCP<const Matrix> EquationSystem::predictor(const Vector& x, Vector& rhs) {
   begin_solve(SolveKind::prediction);
-  const RCP<const Matrix> matrix = tangent(x);
+  prepare(x);
+  assemble_tangent(false);
   Vector jump(dofs_.map());
   jump.assign(x);
   apply_constraints(jump);
   jump.update(-1.0, x, 1.0); // change of the constrained unknowns, zero elsewhere
+  const std::vector<double> lift = tangent_.times(jump);
+  const RCP<const Matrix> matrix = make_matrix();
   residual(x, rhs);
-  const std::vector<double> lift = tangent_.raw_times(jump);
   const auto own = jump.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto r = rhs.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (std::size_t i = 0; i < lift.size(); ++i)
@@ -209,6 +216,7 @@ void EquationSystem::accept(const Vector& x) {
   constraints_.accept();
   joints_.accept();
   motion_.accept(time_);
+  residual_known_ = false; // histories and the past have moved on
   if (bodies_.have_unknowns())
     prepared_ = false; // the same place, but the rotation's increments count from here
 }

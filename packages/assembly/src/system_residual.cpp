@@ -35,11 +35,22 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     last_ = rcp(new Vector(dofs_.map()));
   if (last_.get() != &x)
     last_->assign(x);
+  if (!residual_known_)
+    sum_forces();
+  size_ = measure(x);
+  const std::vector<char>& constrained = constraints_.holds();
+  const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t i = 0; i < raw_residual_.size(); ++i)
+    view(i, 0) = constrained[i] ? 0.0 : raw_residual_[i];
+}
+
+/// All forces of the last prepare, and the squared norms of each kind on this rank.
+void EquationSystem::sum_forces() {
   const auto owned = static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields();
   raw_residual_.assign(owned, 0.0);
   std::vector<double>& rates = motion_.clear_rates(owned);
   bodies_.clear_forces();
-  double norms[4] = {0.0, 0.0, 0.0, 0.0}; // of each kind, of joints
+  norms_ = {};
   for (const Force which : {Force::internal, Force::other, Force::inertial}) {
     if (which == Force::inertial && !motion_.active())
       break;
@@ -52,23 +63,18 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
       bodies_.add_inertia(buffer.data());
     std::vector<double>& sum = which == Force::inertial ? rates : raw_residual_;
     for (std::size_t i = 0; i < owned; ++i) {
-      norms[static_cast<int>(which)] += buffer[i] * buffer[i];
+      norms_[static_cast<std::size_t>(which)] += buffer[i] * buffer[i];
       sum[i] += buffer[i];
     }
   }
-  norms[3] = add_joint_forces(joints_, raw_residual_);
+  norms_[3] = add_joint_forces(joints_, raw_residual_);
   bodies_.sum_forces();
-  forces_known_ = true;
-  size_ = measure(x, norms);
-  const std::vector<char>& constrained = constraints_.holds();
-  motion_.complete(raw_residual_, constrained);
-  const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t i = 0; i < owned; ++i)
-    view(i, 0) = constrained[i] ? 0.0 : raw_residual_[i];
+  motion_.complete(raw_residual_, constraints_.holds());
+  forces_known_ = residual_known_ = true;
 }
 
-/// What a residual is compared with, from the squared norms of each kind of force on this rank.
-EquationSystem::Size EquationSystem::measure(const Vector& x, const double (&norms)[4]) const {
+/// What a residual is compared with.
+EquationSystem::Size EquationSystem::measure(const Vector& x) const {
   double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
   const auto unknowns = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   const std::vector<double>& diagonal = tangent_.raw_diagonal();
@@ -78,10 +84,10 @@ EquationSystem::Size EquationSystem::measure(const Vector& x, const double (&nor
   }
   // the same for rounding of positions, by its own unit
   stiff += contributions_.round_off_force2() / (round_off * round_off);
-  double all[7] = {norms[0],
-                   norms[1],
-                   norms[2],
-                   norms[3],
+  double all[7] = {norms_[0],
+                   norms_[1],
+                   norms_[2],
+                   norms_[3],
                    stiff,
                    static_cast<double>(contributions_.unsettled()),
                    static_cast<double>(contributions_.overloaded())};
@@ -110,8 +116,7 @@ void EquationSystem::start_motion(const TimeIntegration& rule, const Vector& x, 
 RCP<const Matrix> EquationSystem::mass(const Vector& x) {
   prepare(x);
   assemble_tangent(true);
-  const PhaseTimers::Scope scope(timers_, Phase::assembly);
-  return tangent_.make(dofs_, constraints_.holds());
+  return make_matrix();
 }
 
 std::vector<double> EquationSystem::nodal_rates(const Vector& rates) const {

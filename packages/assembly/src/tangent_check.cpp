@@ -46,10 +46,10 @@ private:
   /// K d of one contribution, owned scalar rows.
   std::vector<double> tangent_times_direction(std::size_t part) {
     Contributions& contributions = equations_.contributions_;
-    std::vector<double>& values = equations_.tangent_.clear();
+    const View<double>& values = equations_.tangent_.clear();
     contributions.add_tangent_of(part, equations_.fields(), equations_.bodies_, values.data());
     contributions.pattern().add_shared_values(values.data());
-    return equations_.tangent_.raw_times(d_);
+    return equations_.tangent_.times(d_);
   }
 
   /// Central differences of one contribution's residual along d, owned scalar rows.

@@ -23,52 +23,45 @@ RCP<const Vector> column_values(const unknowns::BlockPattern& pattern, const Vec
 
 } // namespace
 
-std::vector<double>& TangentMatrix::clear() {
-  raw_.assign(static_cast<std::size_t>(pattern_.num_values()), 0.0);
-  return raw_;
+const View<double>& TangentMatrix::clear() {
+  const auto size = static_cast<std::size_t>(pattern_.num_values());
+  if (values_.size() == size)
+    Kokkos::deep_copy(values_, 0.0);
+  else
+    values_ = View<double>("abut::assembly::tangent", size);
+  return values_;
 }
 
-std::vector<double> TangentMatrix::raw_times(const Vector& x) const {
+std::vector<double> TangentMatrix::times(const Vector& x) const {
   const RCP<const Vector> columns = column_values(pattern_, x);
   const auto view = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
-  const auto local = matrix_->getLocalMatrixHost();
-  std::vector<double> product(static_cast<std::size_t>(local.numRows()), 0.0);
-  for (Local i = 0; i < local.numRows(); ++i)
-    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k)
-      product[std::size_t(i)] += raw_[k] * view(local.graph.entries(k), 0);
+  const auto graph = pattern_.graph()->getLocalGraphHost();
+  std::vector<double> product(static_cast<std::size_t>(graph.numRows()), 0.0);
+  for (std::size_t i = 0; i < product.size(); ++i)
+    for (auto k = graph.row_map(i); k < graph.row_map(i + 1); ++k)
+      product[i] += values_[k] * view(graph.entries(k), 0);
   return product;
-}
-
-double TangentMatrix::diagonal(Local row) const {
-  const auto local = matrix_->getLocalMatrixHost();
-  for (auto k = local.graph.row_map(row); k < local.graph.row_map(row + 1); ++k)
-    if (local.graph.entries(k) == row)
-      return local.values(k);
-  return 0.0;
 }
 
 RCP<const Matrix> TangentMatrix::make(const unknowns::DofMap& dofs,
                                       const std::vector<char>& constrained) {
   if (matrix_.is_null()) {
-    matrix_ = rcp(new Matrix(pattern_.graph()));
-    mark_columns(constrained, dofs);
+    const auto owned = static_cast<std::size_t>(pattern_.num_owned_values());
+    matrix_ = rcp(new Matrix(pattern_.graph(),
+                             Kokkos::subview(values_, std::pair(std::size_t(0), owned))));
+    find_places(constrained, dofs);
   } else {
     matrix_->resumeFill();
   }
-  copy(constrained, dofs.num_node_rows() * dofs.fields());
+  constrain(constrained, static_cast<std::size_t>(dofs.num_node_rows()) * dofs.fields());
   matrix_->fillComplete(dofs.map(), dofs.map());
-  const auto local = matrix_->getLocalMatrixHost();
-  raw_diagonal_.assign(constrained.size(), 0.0);
-  for (Local i = 0; i < local.numRows(); ++i)
-    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k)
-      if (local.graph.entries(k) == i)
-        raw_diagonal_[std::size_t(i)] = raw_[k];
   return matrix_;
 }
 
-/// Which columns are constrained is known to their owners: fetches it.
-void TangentMatrix::mark_columns(const std::vector<char>& constrained,
-                                 const unknowns::DofMap& dofs) {
+/// Where the diagonals are, and what constrained rows and columns hold beside them. Which columns are
+/// constrained is known to their owners: fetches it.
+void TangentMatrix::find_places(const std::vector<char>& constrained,
+                                const unknowns::DofMap& dofs) {
   Vector owned(dofs.map());
   {
     const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -76,47 +69,48 @@ void TangentMatrix::mark_columns(const std::vector<char>& constrained,
       view(i, 0) = constrained[i];
   }
   const RCP<const Vector> columns = column_values(pattern_, owned);
-  const auto view = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
-  constrained_column_.resize(view.extent(0));
-  for (std::size_t i = 0; i < view.extent(0); ++i)
-    constrained_column_[i] = view(i, 0) != 0.0;
+  const auto column_is_constrained = columns->getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto graph = pattern_.graph()->getLocalGraphHost();
+  diagonal_place_.resize(constrained.size());
+  cleared_.clear();
+  for (std::size_t i = 0; i < constrained.size(); ++i)
+    for (auto k = graph.row_map(i); k < graph.row_map(i + 1); ++k) {
+      const auto j = static_cast<std::size_t>(graph.entries(k));
+      if (j == i)
+        diagonal_place_[i] = k;
+      else if (constrained[i] || column_is_constrained(j, 0) != 0.0)
+        cleared_.push_back(k);
+    }
 }
 
-/// Copies the raw values and clears constrained rows and columns, but for the diagonal. A row on
-/// which no cell acts (a node without an element) gets a unit diagonal. Constrained rows of a rigid
-/// body get the largest diagonal of its rows, or one: their own may be zero though the row is not.
-void TangentMatrix::copy(const std::vector<char>& constrained, Local node_rows) {
-  const auto local = matrix_->getLocalMatrixHost();
-  const auto rows = local.numRows();
-  const auto diagonal_of = [&](Local i) {
-    for (auto k = local.graph.row_map(i); k < local.graph.row_map(i + 1); ++k)
-      if (local.graph.entries(k) == i)
-        return std::fabs(raw_[k]);
-    return 0.0;
+/// Clears constrained rows and columns, but for the diagonal. A row on which no cell acts (a node
+/// without an element) gets a unit diagonal. Constrained rows of a rigid body get the largest
+/// diagonal of its rows, or one: their own may be zero though the row is not.
+void TangentMatrix::constrain(const std::vector<char>& constrained, std::size_t node_rows) {
+  const auto graph = pattern_.graph()->getLocalGraphHost();
+  const auto is_empty = [&](std::size_t row) {
+    for (auto k = graph.row_map(row); k < graph.row_map(row + 1); ++k)
+      if (values_[k] != 0.0)
+        return false;
+    return true;
   };
-  for (Local i = 0; i < rows; ++i) {
-    const auto begin = local.graph.row_map(i), end = local.graph.row_map(i + 1);
-    bool empty = true;
-    for (auto k = begin; k < end; ++k) {
-      const Local j = local.graph.entries(k);
-      const double raw = raw_[k];
-      empty = empty && raw == 0.0;
-      local.values(k) = i == j ? raw : constrained[i] || constrained_column_[j] ? 0.0 : raw;
-    }
-    double diagonal = empty ? 1.0 : 0.0;
+  raw_diagonal_.resize(constrained.size());
+  for (std::size_t i = 0; i < constrained.size(); ++i)
+    raw_diagonal_[i] = values_[diagonal_place_[i]];
+  for (std::size_t i = 0; i < constrained.size(); ++i) {
+    double& diagonal = values_[diagonal_place_[i]];
     if (i >= node_rows && constrained[i]) {
-      const Local first = i - (i - node_rows) % 6;
-      for (Local j = first; j < first + 6; ++j)
-        diagonal = std::max(diagonal, diagonal_of(j));
-      if (diagonal == 0.0)
-        diagonal = 1.0;
+      const auto first = raw_diagonal_.begin() + std::ptrdiff_t(i - (i - node_rows) % 6);
+      const auto largest = std::max_element(first, first + 6, [](double a, double b) {
+        return std::fabs(a) < std::fabs(b);
+      });
+      diagonal = std::fabs(*largest);
     }
-    if (diagonal == 0.0)
-      continue;
-    for (auto k = begin; k < end; ++k)
-      if (local.graph.entries(k) == i)
-        local.values(k) = diagonal;
+    if (diagonal == 0.0 && (is_empty(i) || (i >= node_rows && constrained[i])))
+      diagonal = 1.0;
   }
+  for (const std::size_t k : cleared_)
+    values_[k] = 0.0;
 }
 
 } // namespace abut::assembly

@@ -43,6 +43,8 @@ public:
   GaussSeidel() = default;
   /// a: rows sorted by column; columns from the number of rows on are ghosts.
   explicit GaussSeidel(const Blocks& a);
+  /// Takes other values in the same places.
+  void renew(const Blocks& a);
 
   /// One forward sweep from x = 0: x = (L + D)^-1 b, D with the border's weights.
   void forward_from_zero(const float* b, float* x) const;
@@ -135,33 +137,67 @@ template <int N> View<float> border_weights(const BlockMatrix<float, N, N>& a) {
   return weight;
 }
 
-/// The blocks of `a` that `keep(row, column)` wants, each row forward or, from the last row on,
-/// backward.
-template <int N, class Keep>
-BlockMatrix<float, N, N> part_of(const BlockMatrix<float, N, N>& a, bool backward, Keep keep) {
-  std::vector<Local> offset{0}, column, from;
+/// Calls visit(row, k) for the blocks of each row from front to back or, from the last row on, from
+/// back to front.
+template <int N, class Visit>
+void for_each_block(const BlockMatrix<float, N, N>& a, bool backward, Visit visit) {
   for (Local n = 0; n < a.rows; ++n) {
     const Local i = backward ? a.rows - 1 - n : n;
     const Local first = a.offset(i), last = a.offset(i + 1);
-    for (Local m = 0; m < last - first; ++m) {
-      const Local k = backward ? last - 1 - m : first + m;
-      if (keep(i, a.column(k)))
-        column.push_back(a.column(k)), from.push_back(k);
-    }
-    offset.push_back(static_cast<Local>(column.size()));
+    for (Local m = 0; m < last - first; ++m)
+      visit(i, backward ? last - 1 - m : first + m);
   }
-  auto part = make_block_matrix<float, N, N>(offset, column);
-  for (std::size_t k = 0; k < from.size(); ++k)
-    std::copy_n(a.block(from[k]), a.block_size, part.block(static_cast<Local>(k)));
-  return part;
 }
+
+/// Which blocks of a matrix are in a part of it, and in which order.
+template <int N> struct Part {
+  bool backward;
+  bool (*keeps)(Local row, Local column, Local rows);
+
+  /// Zero blocks in the part's places.
+  BlockMatrix<float, N, N> places(const BlockMatrix<float, N, N>& a) const {
+    std::vector<Local> offset(static_cast<std::size_t>(a.rows) + 1, 0), column;
+    for_each_block<N>(a, backward, [&](Local i, Local k) {
+      if (!keeps(i, a.column(k), a.rows))
+        return;
+      column.push_back(a.column(k));
+      ++offset[static_cast<std::size_t>(backward ? a.rows - 1 - i : i) + 1];
+    });
+    for (std::size_t i = 1; i < offset.size(); ++i)
+      offset[i] += offset[i - 1];
+    return make_block_matrix<float, N, N>(offset, column);
+  }
+
+  void copy(const BlockMatrix<float, N, N>& a, BlockMatrix<float, N, N>& part) const {
+    Local to = 0;
+    for_each_block<N>(a, backward, [&](Local i, Local k) {
+      if (keeps(i, a.column(k), a.rows))
+        std::copy_n(a.block(k), a.block_size, part.block(to++));
+    });
+  }
+};
+
+template <int N>
+constexpr Part<N> lower_part{false, [](Local i, Local j, Local) { return j < i; }};
+template <int N>
+constexpr Part<N> upper_part{true, [](Local i, Local j, Local rows) { return j > i && j < rows; }};
+template <int N>
+constexpr Part<N> ghost_part{false, [](Local, Local j, Local rows) { return j >= rows; }};
 
 template <int N>
 GaussSeidel<N>::GaussSeidel(const Blocks& a)
-    : lower_(part_of<N>(a, false, [](Local i, Local j) { return j < i; })),
-      upper_(part_of<N>(a, true, [&](Local i, Local j) { return j > i && j < a.rows; })),
-      ghost_(part_of<N>(a, false, [&](Local, Local j) { return j >= a.rows; })),
-      border_(ghost_.blocks() > 0 ? border_weights<N>(a) : View<float>()), inverse_(a, border_) {}
+    : lower_(lower_part<N>.places(a)), upper_(upper_part<N>.places(a)),
+      ghost_(ghost_part<N>.places(a)) {
+  renew(a);
+}
+
+template <int N> void GaussSeidel<N>::renew(const Blocks& a) {
+  lower_part<N>.copy(a, lower_);
+  upper_part<N>.copy(a, upper_);
+  ghost_part<N>.copy(a, ghost_);
+  border_ = ghost_.blocks() > 0 ? border_weights<N>(a) : View<float>();
+  inverse_ = InverseDiagonal<N>(a, border_);
+}
 
 /// The border's weights times x, of one row.
 template <int N>

@@ -123,7 +123,7 @@ private:
   template <int K>
   static DistributedRows<float, M, M> renewed(Level<K, M>& level,
                                               const BlockMatrix<float, K, K>& a) {
-    level.smoother = GaussSeidel<K>(a);
+    level.smoother.renew(a);
     return product_of(level, a);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/vector_units.hpp"
 #include "block_loops.hpp"
 #include "kernels/elements.hpp"
 
@@ -9,7 +10,9 @@ namespace abut::solid {
 template <class Functor>
 Smallest smallest_over(const char* label, Local elements, const Functor& functor) {
   SmallestDet::value_type result;
-  Kokkos::parallel_reduce(label, Range(0, elements), functor, SmallestDet(result));
+  with_vector_units<SmallestDet::value_type>(functor, [&](const auto& kernel) {
+    Kokkos::parallel_reduce(label, Range(0, elements), kernel, SmallestDet(result));
+  });
   Smallest smallest;
   if (elements > 0 && result.val < smallest.det) {
     smallest.det = result.val;

@@ -12,16 +12,17 @@ constexpr double safety = 0.1;
 constexpr double smallest_forces = 1e-3; ///< with friction, over the reference force
 } // namespace
 
-void ForcingTerm::begin_solve(const NonlinearSystem& system, double newton_tolerance) {
+void ForcingTerm::begin_solve(const NonlinearSystem& system) {
   system_ = &system;
-  newton_tolerance_ = newton_tolerance;
   iterates_ = 0;
 }
 
 double ForcingTerm::tolerance(double residual) {
-  const double over_reference = residual / system_->reference_force();
-  if (iterates_ == 0 && predicted_)
-    prediction_error_ = over_reference;
+  if (iterates_ == 0) {
+    first_residual_ = residual;
+    if (predicted_)
+      prediction_error_ = residual / system_->reference_force();
+  }
   predicted_ = false;
   double share = first_share_;
   if (iterates_ > 0) {
@@ -32,15 +33,24 @@ double ForcingTerm::tolerance(double residual) {
   }
   ++iterates_;
   last_residual_ = residual;
-  const double goal =
-      system_->symmetric() ? newton_tolerance_ : smallest_forces * newton_tolerance_;
-  const double enough = std::max(finest, safety * goal / over_reference);
-  return std::min(loosest, std::max(enough, safety * share));
+  return std::min(loosest, std::max(sufficient(residual), safety * share));
+}
+
+/// What leaves a residual, or an error over the step's increment, that Newton would end at. The
+/// first correction is taken for the increment and the later ones to fall as residuals do.
+double ForcingTerm::sufficient(double residual) const {
+  double goal = newton_tolerance_ * system_->reference_force() / residual;
+  if (displacement_tolerance_)
+    goal = std::max(goal, *displacement_tolerance_ * first_residual_ / residual);
+  if (!system_->symmetric())
+    goal *= smallest_forces;
+  return std::max(finest, safety * goal);
 }
 
 double ForcingTerm::predictor_tolerance() {
   predicted_ = true;
-  return std::min(loosest, std::max(finest, safety * prediction_error_));
+  const double goal = displacement_tolerance_.value_or(0.0);
+  return std::min(loosest, std::max(finest, safety * prediction_error_.value_or(goal)));
 }
 
 } // namespace abut::solver

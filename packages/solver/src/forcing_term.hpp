@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 namespace abut::solver {
 
 class NonlinearSystem;
@@ -15,9 +17,13 @@ class ForcingTerm {
 public:
   static constexpr double loosest = 1e-3, finest = 1e-9; ///< tolerances [1]
 
-  /// A solve begins; its first residual is not that of a correction. newton_tolerance: residual
-  /// over the system's reference force. [1] The system must outlive the solve.
-  void begin_solve(const NonlinearSystem& system, double newton_tolerance);
+  /// Where Newton ends: newton_tolerance: residual over the system's reference force;
+  /// displacement_tolerance: correction over the increment of a step. [1]
+  ForcingTerm(double newton_tolerance, std::optional<double> displacement_tolerance)
+      : newton_tolerance_(newton_tolerance), displacement_tolerance_(displacement_tolerance) {}
+
+  /// A solve begins; its first residual is not that of a correction. The system must outlive it.
+  void begin_solve(const NonlinearSystem& system);
 
   /// For K dx = -f, |f|_2 = residual > 0 [force]: what |f + K dx| / |f| may be. [1]
   double tolerance(double residual);
@@ -25,17 +31,22 @@ public:
   void solved(double relative_residual) { linear_part_ = relative_residual * last_residual_; }
 
   /// For the linear system that predicts a step: a tenth of what predictions leave. The first one
-  /// is solved exactly: in a linear scene there is nothing else to do.
+  /// is solved as far as a correction would count: in a linear scene there is nothing else to do.
   double predictor_tolerance();
 
 private:
+  double sufficient(double residual) const;
+
+  double newton_tolerance_;
+  std::optional<double> displacement_tolerance_;
   const NonlinearSystem* system_ = nullptr;
-  double newton_tolerance_ = 0.0;
   int iterates_ = 0;              ///< of this solve that a system has been solved at
+  double first_residual_ = 0.0;   ///< of this solve [force]
   double last_residual_ = 0.0;    ///< of the last one [force]
   double linear_part_ = 0.0;      ///< what the last linear solve left of it [force]
   double first_share_ = 1.0;      ///< of a solve's first residual, what Newton leaves by itself [1]
-  double prediction_error_ = 0.0; ///< residual over reference force after the last prediction [1]
+  /// Residual over reference force after the last prediction. [1]
+  std::optional<double> prediction_error_;
   bool predicted_ = false;
 };
 

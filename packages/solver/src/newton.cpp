@@ -87,7 +87,7 @@ RCP<NOX::Solver::Generic> build_solver(const RCP<NOX::Abstract::Group>& group,
 NewtonSolver::NewtonSolver(LinearSolver& linear, NewtonOptions options,
                            std::optional<double> linear_tolerance)
     : linear_(linear), options_(std::move(options)), linear_tolerance_(linear_tolerance),
-      forcing_(std::make_unique<ForcingTerm>()) {
+      forcing_(std::make_unique<ForcingTerm>(options_.tolerance, options_.displacement_tolerance)) {
   nox_parameters(options_, linear_tolerance_, false);
 }
 
@@ -109,7 +109,7 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
       .set<RCP<NOX::Observer>>("Observer", rcp(new IterateObserver(system)));
   ForcingTerm* const forcing =
       !linear_tolerance_ && asks_for_default(*list) ? forcing_.get() : nullptr;
-  forcing_->begin_solve(system, options_.tolerance);
+  forcing_->begin_solve(system);
   const auto model = make_thyra_model(system);
   const auto start = thyra_vector(*model, rcp(new Vector(x, Teuchos::Copy)));
   const RCP<Thyra::PreconditionerBase<double>> no_preconditioner;

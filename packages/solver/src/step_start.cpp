@@ -71,18 +71,16 @@ bool StepStart::extrapolate(NonlinearSystem& system, Vector& x, double dt) const
   return found;
 }
 
-/// Newton's divided differences through the last states.
+/// Newton's divided differences through the last states: the line, and the parabola if there is one.
 std::vector<Vector> StepStart::continuations(const Vector& x, double dt) const {
   std::vector<Vector> all;
-  Vector line(x, Teuchos::Copy);
-  line.update(dt, *last_.velocity, 1.0);
+  all.emplace_back(x, Teuchos::Copy);
+  all[0].update(dt, *last_.velocity, 1.0);
   if (!before_last_.velocity.is_null()) {
     const double bend = dt * (dt + last_.dt) / (last_.dt + before_last_.dt);
-    Vector parabola(line, Teuchos::Copy);
-    parabola.update(bend, *last_.velocity, -bend, *before_last_.velocity, 1.0);
-    all.push_back(std::move(parabola));
+    all.emplace_back(all[0], Teuchos::Copy);
+    all[1].update(bend, *last_.velocity, -bend, *before_last_.velocity, 1.0);
   }
-  all.push_back(std::move(line));
   return all;
 }
 

@@ -24,6 +24,28 @@ void sort_unique(std::vector<Block>& blocks) {
   blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
 }
 
+/// The same where all rows lie in [first, first + rows): by row first, each row by itself.
+void sort_unique(std::vector<Block>& blocks, Global first, Local rows) {
+  std::vector<std::size_t> end(static_cast<std::size_t>(rows) + 1, 0);
+  for (const Block& b : blocks)
+    ++end[static_cast<std::size_t>(b.first - first) + 1];
+  for (std::size_t r = 1; r < end.size(); ++r)
+    end[r] += end[r - 1];
+  std::vector<Global> column(blocks.size());
+  for (const Block& b : blocks)
+    column[end[static_cast<std::size_t>(b.first - first)]++] = b.second; // ends where the next began
+  std::size_t kept = 0;
+  auto begin = column.begin();
+  for (Local r = 0; r < rows; ++r) {
+    const auto stop = column.begin() + static_cast<std::ptrdiff_t>(end[std::size_t(r)]);
+    std::sort(begin, stop);
+    for (const auto last = std::unique(begin, stop); begin != last; ++begin)
+      blocks[kept++] = {first + r, *begin};
+    begin = stop;
+  }
+  blocks.resize(kept);
+}
+
 /// Appends the block rows of a node: its own, both of the body it moves with, or none.
 void append_rows(const DofMap& dofs, Global resolved, std::vector<Global>& rows) {
   if (resolved >= 0)
@@ -57,11 +79,11 @@ void local_blocks(const DofMap& dofs, const std::vector<const Connectivity*>& al
           list.emplace_back(r, k);
       }
       if (owned.size() > limit) {
-        sort_unique(owned);
+        sort_unique(owned, first, dofs.num_rows());
         limit = std::max(limit, 2 * owned.size());
       }
     }
-  sort_unique(owned);
+  sort_unique(owned, first, dofs.num_rows());
   sort_unique(shared);
 }
 
@@ -119,7 +141,7 @@ void BlockPattern::build(const std::vector<const Connectivity*>& cells) {
     b.owned.emplace_back(r + 1, r);
   }
   append_links(dofs_, b.owned);
-  sort_unique(b.owned);
+  sort_unique(b.owned, first, dofs_.num_rows());
 
   number_columns(b);
   number_rigid_nodes(b);

@@ -72,6 +72,22 @@ TEST(ForcingTerms, CostNewtonNoIterations) {
   }
 }
 
+// A solve that ends by its correction does not need second order to the end.
+TEST(ForcingTerms, GoNoFurtherThanACorrectionNeeds) {
+  double tightest[2];
+  for (const bool by_correction : {false, true}) {
+    DenseSystem system = springs(1.0);
+    Grudging linear(system), exact(system);
+    solver::NewtonOptions options;
+    if (by_correction)
+      options.displacement_tolerance = 1e-3;
+    solver::NewtonSolver newton(linear, options), strict(exact, options, 1e-12);
+    EXPECT_EQ(solve(system, newton).iterations, solve(system, strict).iterations);
+    tightest[by_correction] = *std::min_element(linear.asked.begin(), linear.asked.end());
+  }
+  EXPECT_GT(tightest[true], 10.0 * tightest[false]);
+}
+
 TEST(ForcingTerms, LearnThatASceneIsLinear) {
   DenseSystem system = springs(0.0);
   Grudging linear(system);

@@ -10,6 +10,7 @@
 #include "abut/rigid/bodies.hpp"
 #include "abut/rigid/joints.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -106,8 +107,10 @@ private:
   };
   void prepare(const Vector& x);
   void scale_joints();
-  Size measure(const Vector& x, const double (&norms)[4]) const;
+  void sum_forces();
+  Size measure(const Vector& x) const;
   void assemble_tangent(bool mass_alone);
+  RCP<const Matrix> make_matrix();
   void add_work(const Vector& x);
   NodalFields fields() const { return {u_.data(), dofs_.fields(), time_}; }
 
@@ -124,10 +127,12 @@ private:
   double time_ = 0.0;
   long state_version_ = -1;   ///< of all contributions in the last prepare
   bool prepared_ = false;     ///< u_ and all that is made of it are of the last x and time
-  bool forces_known_ = false; ///< whether the rigid bodies hold the forces of the last prepare
+  bool forces_known_ = false;   ///< whether the rigid bodies hold the forces of the last prepare
+  bool residual_known_ = false; ///< whether raw_residual_ is of the last prepare
   bool joints_scaled_, scale_joints_;
   std::vector<double> u_;            ///< (N, fields) of the last prepare
   std::vector<double> raw_residual_; ///< owned rows
+  std::array<double, 4> norms_ = {}; ///< squared, of each kind of force and of joints; of this rank
   RCP<Vector> last_;                 ///< where the residual was asked last
   Size size_;
 };

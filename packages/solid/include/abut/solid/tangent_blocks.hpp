@@ -28,6 +28,7 @@ template <int n> struct TangentBlocks {
     for (int j = 0; j < 3; ++j)
       for (int v = 0; v < 6; ++v) {
         const double c0 = c[v][voigt[j][0]], c1 = c[v][voigt[j][1]], c2 = c[v][voigt[j][2]];
+#pragma omp simd
         for (int b = 0; b < n; ++b)
           cb[j][v][b] = c0 * g[0][b] + c1 * g[1][b] + c2 * g[2][b];
       }
@@ -38,6 +39,7 @@ template <int n> struct TangentBlocks {
       const double(&b2)[n] = cb[j][voigt[i][2]];
       for (int a = 0; a < n; ++a) {
         const double g0 = g[0][a], g1 = g[1][a], g2 = g[2][a];
+#pragma omp simd
         for (int b = 0; b < n; ++b)
           block[pair][a][b] += g0 * b0[b] + g1 * b1[b] + g2 * b2[b];
       }
@@ -52,6 +54,7 @@ template <int n> struct TangentBlocks {
         sg[i][b] = s[i][0] * g[0][b] + s[i][1] * g[1][b] + s[i][2] * g[2][b];
     for (int a = 0; a < n; ++a) {
       const double g0 = g[0][a], g1 = g[1][a], g2 = g[2][a];
+#pragma omp simd
       for (int b = 0; b < n; ++b)
         geometric[a][b] += g0 * sg[0][b] + g1 * sg[1][b] + g2 * sg[2][b];
     }
