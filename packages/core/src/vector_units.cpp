@@ -8,7 +8,6 @@ namespace abut {
 
 namespace {
 
-/// ABUT_VECTORS (plain, avx2, avx512) asks for less than there is.
 VectorUnit widest() {
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
   const char* asked = std::getenv("ABUT_VECTORS");

@@ -9,7 +9,7 @@
 namespace abut::solver {
 
 namespace {
-constexpr double loosest = 1e-3;        ///< tolerance of a solve that multipliers change after
+constexpr double loosest = 1e-2;        ///< tolerance of a solve that multipliers change after
 constexpr double share_of_change = 0.1; ///< of the last change of the multipliers, and of its force
 constexpr double near = 1e-2;           ///< tolerance of an approach
 } // namespace

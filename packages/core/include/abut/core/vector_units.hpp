@@ -16,7 +16,7 @@ enum class VectorUnit { plain = 2, avx2 = 4, avx512 = 8 };
 #define ABUT_TARGET(units)
 #endif
 
-/// Of this processor.
+/// Of this processor; the variable ABUT_VECTORS (plain, avx2) asks for less.
 VectorUnit vector_unit();
 
 /// A functor compiled once more, with all that it calls, for wider registers. Nothing of it can
@@ -38,6 +38,8 @@ template <class Kernel, class... Reduced> struct Wide<VectorUnit::avx512, Kernel
   ABUT_TARGET("arch=x86-64-v4,prefer-vector-width=512")
   void operator()(Local i, Reduced&... reduced) const { kernel(i, reduced...); }
 };
+
+#undef ABUT_TARGET
 
 /// Calls `run` with the kernel as the processor runs it fastest. For loops bound by arithmetic: all
 /// is compiled three times.

@@ -23,7 +23,7 @@ enum class LineSearch { automatic, none };
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
-  long long direct_limit = 10000;
+  long long direct_limit = 2500;
   Preconditioner preconditioner = Preconditioner::automatic;
   /// Of a Krylov solve, relative residual; none: as exact as Newton has use for. [1]
   std::optional<double> tolerance;
