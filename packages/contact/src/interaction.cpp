@@ -126,7 +126,9 @@ void Interaction::Parts::set_terms(double time) {
   terms.law.friction = o.friction * (friction_schedule ? friction_schedule(time) : 1.0);
   terms.law.predicting = solve == SolveKind::prediction && established;
   terms.softest = solve == SolveKind::approach ? o.modulus : 0.0;
+  // Means over nodes jump where points change faces: far from balance that leads in circles.
   terms.at_nodes = data.nodal && solve != SolveKind::approach;
+  terms.law.lingers = terms.at_nodes && !established && terms.law.friction == 0.0;
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
   terms.user_law = bool(normal_law);
@@ -278,7 +280,7 @@ bool Interaction::overloaded() const {
   const double modulus = settings().modulus;
   if (modulus <= 0.0 || parts_->established)
     return false;
-  if (data.nodal) {
+  if (data.terms.at_nodes) {
     const NodalArrays& nodes = data.nodal->arrays();
     for (Local n = 0; n < nodes.nodes(); ++n)
       if (nodes.site(n).pressure > modulus)
