@@ -126,6 +126,9 @@ void Interaction::Parts::set_terms(double time) {
   terms.law.friction = o.friction * (friction_schedule ? friction_schedule(time) : 1.0);
   terms.law.predicting = solve == SolveKind::prediction && established;
   terms.softest = solve == SolveKind::approach ? o.modulus : 0.0;
+  // Means over nodes jump where points change faces: far from balance that leads in circles.
+  terms.at_nodes = data.nodal && solve != SolveKind::approach;
+  terms.law.lingers = terms.at_nodes && !established && terms.law.friction == 0.0;
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
   terms.user_law = bool(normal_law);
@@ -188,7 +191,7 @@ void Interaction::Parts::evaluate_sites() {
                        ReadPoints{data.place.search(), data.points, data.terms});
   if (normal_law)
     apply_law(normal_law, data.points);
-  if (data.nodal)
+  if (data.terms.at_nodes)
     data.nodal->evaluate(data.primary(), data.points, data.terms.law);
   else
     Kokkos::parallel_for("abut::contact::decide_points", Range(0, points),
@@ -204,7 +207,7 @@ void Interaction::Parts::add_node_rows(const NodeRowArrays& rows) const {
 void Interaction::Parts::build_pairs() {
   Connectivity cells;
   pairs = make_pairs(data.primary(), data.facing(), data.points, cells);
-  if (data.nodal)
+  if (data.terms.at_nodes)
     node_cells.build(
         data.comm, data.surface(), data.corners, data.nodal->arrays(), pairs,
         [this](const NodeRowArrays& rows) { add_node_rows(rows); }, cells);
@@ -262,7 +265,7 @@ double Interaction::round_off_force2() const {
 
 bool Interaction::settled() const {
   const InterfaceData& data = parts_->data;
-  if (data.nodal)
+  if (data.terms.at_nodes)
     return data.nodal->settled();
   for (Local i = 0; i < data.points.size(); ++i)
     if (data.points.state(i).site.pressed() && !data.points.state(i).site.settled)
@@ -277,7 +280,7 @@ bool Interaction::overloaded() const {
   const double modulus = settings().modulus;
   if (modulus <= 0.0 || parts_->established)
     return false;
-  if (data.nodal) {
+  if (data.terms.at_nodes) {
     const NodalArrays& nodes = data.nodal->arrays();
     for (Local n = 0; n < nodes.nodes(); ++n)
       if (nodes.site(n).pressure > modulus)
@@ -307,7 +310,7 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
                   !parts_->exact_tangent && parts_->iterates < early_iterates,
                   o.tangent == Tangent::automatic, o.tangent == Tangent::symmetric},
       singular);
-  if (data.nodal) {
+  if (data.terms.at_nodes) {
     parts_->node_cells.refill([this](const NodeRowArrays& r) { parts_->add_node_rows(r); });
     const NodeRowArrays& rows = parts_->node_cells.rows();
     Kokkos::parallel_for("abut::contact::node_tangent", Range(0, rows.size()),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Springs as soft as the bodies where a step starts from a deep overlap.
+// Springs as soft as the bodies, at points, where a step starts from a deep overlap.
 #include "abut_test/same_values.hpp"
 #include "dual_scene.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace abut;
@@ -16,35 +17,44 @@ constexpr double modulus = 2.0, inverse_depth = 3.0; ///< E, A/V: springs of E A
 constexpr double soft = modulus * inverse_depth;
 
 struct Approach : ::testing::TestWithParam<std::tuple<Multipliers, double>> {
-  static ContactOptions options(double penalty) {
+  static ContactOptions options(double penalty, Multipliers multipliers) {
     ContactOptions o;
     o.name = "pair";
     o.penalty = penalty;
     o.enforcement = Enforcement::augmented_lagrangian;
-    o.multipliers = std::get<0>(GetParam());
+    o.multipliers = multipliers;
     o.friction = std::get<1>(GetParam());
     return o;
   }
   /// A scene between bodies that are elastic.
-  static std::unique_ptr<DualScene> scene(double penalty) {
-    auto s = std::make_unique<DualScene>(fem::FaceType::quad4, fem::FaceType::quad4,
-                                         options(penalty), 0.05);
+  static std::unique_ptr<DualScene> scene(double penalty,
+                                          Multipliers multipliers = std::get<0>(GetParam())) {
+    const ContactOptions given = options(penalty, multipliers);
+    auto s = std::make_unique<DualScene>(fem::FaceType::quad4, fem::FaceType::quad4, given, 0.05);
     for (mesh::Surface* side : {&s->upper, &s->lower}) {
       side->modulus.assign(side->type.size(), modulus);
       side->inverse_depth.assign(side->type.size(), inverse_depth);
     }
-    s->pair = std::make_unique<Interaction>(Comm(MPI_COMM_WORLD), s->upper, s->lower,
-                                            options(penalty), s->timers);
+    s->pair =
+        std::make_unique<Interaction>(Comm(MPI_COMM_WORLD), s->upper, s->lower, given, s->timers);
     return s;
+  }
+  /// The same with the law at points.
+  static std::unique_ptr<DualScene> at_points(double penalty) {
+    return scene(penalty, Multipliers::per_point);
   }
   static std::vector<double> residual(DualScene& s) {
     s.system.evaluate(*s.pair, false);
     return s.system.residual;
   }
+  static bool pushes(DualScene& s) {
+    const std::vector<double> f = residual(s);
+    return std::any_of(f.begin(), f.end(), [](double v) { return v != 0.0; });
+  }
 };
 
-TEST_P(Approach, HasSpringsAsSoftAsTheBodiesUntilItEnds) {
-  const auto stiff = scene(40.0 * soft), same = scene(soft);
+TEST_P(Approach, HasPointsOnSpringsAsSoftAsTheBodiesUntilItEnds) {
+  const auto stiff = scene(40.0 * soft), same = at_points(soft);
   const std::vector<double> before = residual(*stiff);
   EXPECT_TRUE(stiff->pair->overloaded());
   stiff->pair->begin_solve(SolveKind::approach);
@@ -92,10 +102,29 @@ TEST_P(Approach, IsForContactThatWasNotThereAtTheLastStep) {
 }
 
 TEST_P(Approach, LeavesSofterSpringsAlone) {
-  const auto s = scene(0.5 * soft);
-  const std::vector<double> before = residual(*s);
+  const auto s = scene(0.5 * soft), same = at_points(0.5 * soft);
   s->pair->begin_solve(SolveKind::approach);
-  EXPECT_TRUE(same_values(residual(*s), before));
+  EXPECT_TRUE(same_values(residual(*s), residual(*same)));
+}
+
+/// A node that pressed lets go in the second iterate without pressure, and not in the first; points
+/// do at once, and so does contact that was there at the last step.
+TEST_P(Approach, NodesOfNewContactLinger) {
+  const auto [multipliers, friction] = GetParam();
+  for (const bool established : {false, true}) {
+    const auto s = scene(40.0 * soft);
+    residual(*s);
+    if (established)
+      s->pair->accept();
+    s->pair->iterate_taken();
+    s->move(0.0, Vec3{{0.0, 0.0, 0.2}}); // beyond all waves, within the reach
+    const bool lingers = multipliers == Multipliers::dual && friction == 0.0 && !established;
+    EXPECT_EQ(pushes(*s), lingers);
+    EXPECT_EQ(s->pair->settled(), !lingers);
+    s->pair->iterate_taken();
+    EXPECT_FALSE(pushes(*s));
+    EXPECT_TRUE(s->pair->settled());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Spaces, Approach,

@@ -218,7 +218,7 @@ bool tear(InterfaceData& data) {
 void take_iterate(InterfaceData& data, bool new_step) {
   Kokkos::parallel_for("abut::contact::take_iterate", Range(0, data.points.size()),
                        TakePoints{data.place.search(), data.points, new_step});
-  if (data.nodal)
+  if (data.terms.at_nodes)
     data.nodal->take_iterate(new_step);
 }
 

@@ -12,7 +12,7 @@ namespace abut::contact {
 struct PointTerms {
   LawTerms law;
   bool ray = false;
-  bool at_nodes = false;      ///< the law holds at nodes
+  bool at_nodes = false;      ///< the law holds at nodes now
   bool anchors = false;       ///< tied or sticky: points stay with one place without friction
   bool anchored_map = false;  ///< points have anchors now
   bool inclined = false;      ///< slip along the inclined ray
