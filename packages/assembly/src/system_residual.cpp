@@ -37,7 +37,7 @@ void EquationSystem::residual(const Vector& x, Vector& f) {
     last_->assign(x);
   if (!residual_known_)
     sum_forces();
-  size_ = measure(x);
+  measure_ = measured(x);
   const std::vector<char>& constrained = constraints_.holds();
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t i = 0; i < raw_residual_.size(); ++i)
@@ -74,7 +74,7 @@ void EquationSystem::sum_forces() {
 }
 
 /// What a residual is compared with.
-EquationSystem::Size EquationSystem::measure(const Vector& x) const {
+ResidualMeasure EquationSystem::measured(const Vector& x) const {
   double stiff = 0.0; // squared forces that the unknowns would make against a rigid surrounding
   const auto unknowns = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   const std::vector<double>& diagonal = tangent_.raw_diagonal();

@@ -330,7 +330,7 @@ TEST(RigidBody, SameNormsOnAnyNumberOfRanks) {
       s->system->tangent(x)->apply(s->unknowns(Mat3::identity(), shift, 1.0, turns), product);
       found[i][0] = f.norm2();
       found[i][1] = product.norm2();
-      found[i][2] = s->system->reference_force();
+      found[i][2] = s->system->measure().reference;
       states[i++] = s->system->body_states();
     }
     for (int k = 0; k < 3; ++k)

@@ -297,7 +297,7 @@ TEST(RigidJoint, SameNormsOnAnyNumberOfRanks) {
       s->system->tangent(x)->apply(x, product);
       found[i][0] = f.norm2();
       found[i][1] = product.norm2();
-      found[i][2] = s->system->reference_force();
+      found[i][2] = s->system->measure().reference;
       forces[i++] = s->system->joints().states()[0].force;
     }
     for (int k = 0; k < 3; ++k)

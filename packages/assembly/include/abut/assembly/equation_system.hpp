@@ -16,6 +16,16 @@
 
 namespace abut::assembly {
 
+/// What the last residual is compared with, and what its contributions say of it.
+struct ResidualMeasure {
+  double reference = 0.0; ///< norm of the forces in balance: internal ones or what opposes them [force]
+  /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the
+  /// last tangent: a body that moves without strain has no other forces. [force]
+  double round_off = 0.0;
+  bool settled = true;     ///< all follow their true laws, see Contribution::settled
+  bool overloaded = false; ///< some have forces beyond what bodies carry, see Contribution::overloaded
+};
+
 /// The equations of all contributions: f(x) = sum of residuals = 0 for the unknowns that are not
 /// constrained. Rows of other ranks are assembled here and added at their owner. Forces on nodes of
 /// a rigid body are forces on its center and moments about it.
@@ -54,15 +64,7 @@ public:
   /// Throws SolveError where the last residual is not that of a solution, however small it is.
   void require_consistent() const { joints_.require_consistent(); }
 
-  /// Norm of the forces in balance in the last residual (internal forces or what opposes them).
-  double reference_force() const { return size_.reference; }
-  /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the
-  /// last tangent: a body that moves without strain has no other forces. [force]
-  double round_off_force() const { return size_.round_off; }
-  /// Whether the last residual follows the true laws, see Contribution::settled.
-  bool settled() const { return size_.settled; }
-  /// Whether the last residual has forces beyond what bodies carry, see Contribution::overloaded.
-  bool overloaded() const { return size_.overloaded; }
+  const ResidualMeasure& measure() const { return measure_; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
@@ -100,15 +102,10 @@ public:
 
 private:
   friend class TangentCheck;
-  /// What the last residual is compared with.
-  struct Size {
-    double reference = 0.0, round_off = 0.0;
-    bool settled = true, overloaded = false;
-  };
   void prepare(const Vector& x);
   void scale_joints();
   void sum_forces();
-  Size measure(const Vector& x) const;
+  ResidualMeasure measured(const Vector& x) const;
   void assemble_tangent(bool mass_alone);
   RCP<const Matrix> make_matrix();
   void add_work(const Vector& x);
@@ -134,7 +131,7 @@ private:
   std::vector<double> raw_residual_; ///< owned rows
   std::array<double, 4> norms_ = {}; ///< squared, of each kind of force and of joints; of this rank
   RCP<Vector> last_;                 ///< where the residual was asked last
-  Size size_;
+  ResidualMeasure measure_;
 };
 
 } // namespace abut::assembly

@@ -18,10 +18,10 @@ public:
   long graph_version() const override { return equations_.graph_version(); }
   bool symmetric() const override { return equations_.symmetric(); }
   bool indefinite() const override { return equations_.indefinite(); }
-  double reference_force() const override { return equations_.reference_force(); }
-  double round_off_force() const override { return equations_.round_off_force(); }
-  bool settled() const override { return equations_.settled(); }
-  bool overloaded() const override { return equations_.overloaded(); }
+  double reference_force() const override { return equations_.measure().reference; }
+  double round_off_force() const override { return equations_.measure().round_off; }
+  bool settled() const override { return equations_.measure().settled; }
+  bool overloaded() const override { return equations_.measure().overloaded; }
   void require_consistent() const override { equations_.require_consistent(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   std::vector<RowPlace> row_places() const override;
