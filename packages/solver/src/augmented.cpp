@@ -10,7 +10,7 @@ namespace abut::solver {
 
 namespace {
 constexpr double loosest = 1e-2;        ///< tolerance of a solve that multipliers change after
-constexpr double share_of_change = 0.1; ///< of the last change of the multipliers, and of its force
+constexpr double share_of_change = 0.1; ///< of the multipliers' last change, and of first forces
 constexpr double near = 1e-2;           ///< tolerance of an approach
 } // namespace
 
@@ -45,7 +45,8 @@ AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
   const double finest = newton_.options().tolerance;
   const bool inexact = augment_ && newton_.options().inexact;
   EarlyEnd early;
-  early.tolerance = inexact ? loosest : 0.0;
+  if (inexact)
+    early = {loosest, share_of_change};
   result.iterations = approach(system, x, observer);
   system.begin_solve(SolveKind::newton);
   for (;;) {
