@@ -53,7 +53,7 @@ class Count:
         scene = make(**options)
         result = scenes.run(scene, seconds=900, quiet=False)
         self.summary = result.summary
-        self.solves = result.summary["linear_iterations"]
+        self.solves = sum(used["solves"] for used in result.summary["linear_solver"].values())
         self.newton = [int(n) for n in re.findall(r"^step\s.*?\s(\d+) iterations", result.output, re.M)]
         self.augmentations = [int(n) for n in re.findall(r"^step\s.*?\s(\d+) augmentations", result.output, re.M)]
         *_, points = pressure_error.read_points(next((result.folder / "results").glob("*.points.csv"))).values()
