@@ -146,6 +146,9 @@ void v_cycle(benchmark::State& state) {
     operations += 2.0 * double(level.blocks) * 2.0 * n * n;
   }
   rate(state, bytes, operations);
+  const auto& last = hierarchy->levels().back();
+  state.counters["levels"] = double(hierarchy->levels().size());
+  state.counters["coarsest_unknowns"] = double(last.rows * last.unknowns_per_row);
 }
 
 void multigrid_setup(benchmark::State& state) {
@@ -196,7 +199,11 @@ template <fem::CellType C> void element_tangent(benchmark::State& state) {
   rate(state, 0.0, elements * double(points) * (42.0 * n * n + 108.0 * n + 54.0 * n));
 }
 
-/// A wavy sheet of faces x faces quad4 over the unit square.
+double wave(double x, double y) {
+  return 0.05 * std::sin(7.0 * x) * std::cos(5.0 * y);
+}
+
+/// A wavy sheet of cells x cells quad4 over the unit square.
 struct Sheet {
   search::Faces faces;
   search::Bvh<3> tree;
@@ -206,8 +213,7 @@ struct Sheet {
     std::vector<Vec3> x;
     for (Local j = 0; j < side; ++j)
       for (Local i = 0; i < side; ++i)
-        x.push_back({{double(i) / cells, double(j) / cells,
-                      0.05 * std::sin(7.0 * i / cells) * std::cos(5.0 * j / cells)}});
+        x.push_back({{double(i) / cells, double(j) / cells, wave(double(i) / cells, double(j) / cells)}});
     std::vector<Local> offset{0}, node;
     for (Local j = 0; j < cells; ++j)
       for (Local i = 0; i < cells; ++i) {
@@ -229,11 +235,14 @@ struct Sheet {
   }
 };
 
+/// Within a face's size of the sheet, in the order of a surface, as points of contact come.
 std::vector<Vec3> points_near_the_sheet(int n) {
-  std::vector<Vec3> x;
-  for (int i = 0; i < n; ++i) // in the order of a surface, as points of contact come
-    x.push_back({{(i % 317 + 0.3) / 317.0, (i / 317 % 317 + 0.4) / 317.0, 0.051}});
-  return x;
+  std::vector<Vec3> points;
+  for (int i = 0; i < n; ++i) {
+    const double x = (i % 317 + 0.3) / 317.0, y = (i / 317 % 317 + 0.4) / 317.0;
+    points.push_back({{x, y, wave(x, y) + 0.002 * std::sin(double(i))}});
+  }
+  return points;
 }
 
 void closest_points(benchmark::State& state) {

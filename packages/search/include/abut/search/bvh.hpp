@@ -29,6 +29,12 @@ template <int D> struct Tree {
   /// its own box fails, so the test may sharpen as items are visited. No order is promised.
   template <class Test, class Visit>
   KOKKOS_INLINE_FUNCTION void traverse(const Test& test, const Visit& visit) const {
+    traverse(test, visit, [](const Box<D>&, const Box<D>&) { return true; });
+  }
+  /// The same, of two halves first the left one where left_first(left box, right box).
+  template <class Test, class Visit, class LeftFirst>
+  KOKKOS_INLINE_FUNCTION void traverse(const Test& test, const Visit& visit,
+                                       const LeftFirst& left_first) const {
     if (size == 0)
       return;
     Local stack[max_open_nodes];
@@ -43,8 +49,9 @@ template <int D> struct Tree {
           if (test(boxes(items(i))))
             visit(items(i));
       } else {
-        stack[top++] = node.right;
-        stack[top++] = node.left;
+        const bool ahead = left_first(nodes(node.left).box, nodes(node.right).box);
+        stack[top++] = ahead ? node.right : node.left;
+        stack[top++] = ahead ? node.left : node.right;
       }
     }
   }

@@ -30,6 +30,7 @@ struct PointQuery {
   Vec3 x;
   double reach; ///< [length]
 
+  KOKKOS_INLINE_FUNCTION const double* from() const { return x.v; }
   KOKKOS_INLINE_FUNCTION bool meets(const Box<3>& box, double limit) const {
     return box.distance2(x.v) <= limit * limit;
   }
@@ -45,6 +46,7 @@ struct LineQuery {
   Line line;
   double reach; ///< ahead and behind [length]
 
+  KOKKOS_INLINE_FUNCTION const double* from() const { return line.origin.v; }
   KOKKOS_INLINE_FUNCTION bool meets(const Box<3>& box, double limit) const {
     Box<3> wide = box; // hits count up to edge_margin outside the face
     wide.inflate(2.0 * edge_margin * diagonal(box));
@@ -74,6 +76,9 @@ KOKKOS_INLINE_FUNCTION Nearest nearest(const Faces& faces, const Tree<3>& tree, 
           least = std::fabs(m.distance);
           any = true;
         }
+      },
+      [&](const Box<3>& a, const Box<3>& b) { // what is near soon shuts out what is far
+        return a.distance2(q.from()) <= b.distance2(q.from());
       });
   Nearest best;
   if (!any)
