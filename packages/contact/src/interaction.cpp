@@ -128,7 +128,6 @@ void Interaction::Parts::set_terms(double time) {
   terms.softest = solve == SolveKind::approach ? o.modulus : 0.0;
   // Means over nodes jump where points change faces: far from balance that leads in circles.
   terms.at_nodes = data.nodal && solve != SolveKind::approach;
-  terms.law.lingers = terms.at_nodes && !established && terms.law.friction == 0.0;
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
   terms.user_law = bool(normal_law);

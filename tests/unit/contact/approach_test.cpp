@@ -47,10 +47,6 @@ struct Approach : ::testing::TestWithParam<std::tuple<Multipliers, double>> {
     s.system.evaluate(*s.pair, false);
     return s.system.residual;
   }
-  static bool pushes(DualScene& s) {
-    const std::vector<double> f = residual(s);
-    return std::any_of(f.begin(), f.end(), [](double v) { return v != 0.0; });
-  }
 };
 
 TEST_P(Approach, HasPointsOnSpringsAsSoftAsTheBodiesUntilItEnds) {
@@ -105,26 +101,6 @@ TEST_P(Approach, LeavesSofterSpringsAlone) {
   const auto s = scene(0.5 * soft), same = at_points(0.5 * soft);
   s->pair->begin_solve(SolveKind::approach);
   EXPECT_TRUE(same_values(residual(*s), residual(*same)));
-}
-
-/// A node that pressed lets go in the second iterate without pressure, and not in the first; points
-/// do at once, and so does contact that was there at the last step.
-TEST_P(Approach, NodesOfNewContactLinger) {
-  const auto [multipliers, friction] = GetParam();
-  for (const bool established : {false, true}) {
-    const auto s = scene(40.0 * soft);
-    residual(*s);
-    if (established)
-      s->pair->accept();
-    s->pair->iterate_taken();
-    s->move(0.0, Vec3{{0.0, 0.0, 0.2}}); // beyond all waves, within the reach
-    const bool lingers = multipliers == Multipliers::dual && friction == 0.0 && !established;
-    EXPECT_EQ(pushes(*s), lingers);
-    EXPECT_EQ(s->pair->settled(), !lingers);
-    s->pair->iterate_taken();
-    EXPECT_FALSE(pushes(*s));
-    EXPECT_TRUE(s->pair->settled());
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Spaces, Approach,

@@ -20,7 +20,6 @@ KOKKOS_INLINE_FUNCTION void leave(const SiteState& s, bool new_step, SiteIterate
   iterate.frozen = false;
   iterate.rule = s.rule;
   iterate.touching = s.touching;
-  iterate.presses = s.pressed() && s.pressure > 0.0;
 }
 
 /// Newton goes on from this iterate: the next searches start at its partners, and points that swing

@@ -12,7 +12,6 @@ namespace abut::contact {
 struct LawTerms {
   double friction = 0.0;   ///< mu at the present time [1]
   bool predicting = false; ///< see SolveKind::prediction
-  bool lingers = false;    ///< a site that pressed at the last iterate is not opened by this one
   bool literal = false;    ///< slip by the printed theory: the shear is not decided here
 };
 
@@ -81,12 +80,9 @@ KOKKOS_INLINE_FUNCTION SiteState decide(const SiteReading& r, const SitePast& pa
     return s;
   const double pressure = r.multiplier - r.penalty * r.gap;
   // At the kink itself the stiff side of the derivative is taken: bodies that just touch hold.
-  // On stiff springs a gap of second order in Newton's step is more than the pressure's own.
-  const bool lingers = pressure <= 0.0 && law.lingers && iterate.presses;
-  if (pressure <= -r.penalty * touching_gap * r.size && !r.pulls && !lingers)
+  if (pressure <= -r.penalty * touching_gap * r.size && !r.pulls)
     return s;
-  s.settled = !lingers;
-  s.touching = pressure <= 0.0 && !r.pulls && !lingers;
+  s.touching = pressure <= 0.0 && !r.pulls;
   s.pressure = s.touching ? 0.0 : pressure;
   s.rule = PointRule::frictionless;
   if (law.friction == 0.0)

@@ -44,7 +44,6 @@ struct SiteIterate {
                        ///< iterate is taken
   PointRule rule = PointRule::open; ///< of the last iterate
   bool touching = false;            ///< then
-  bool presses = false;             ///< its pressure was positive then
   int flips = 0;                    ///< changes of status in this step
 };
 
