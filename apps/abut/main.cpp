@@ -69,8 +69,8 @@ int run(int argc, char** argv, const abut::Comm& comm) {
   return defect;
 }
 
-/// Arrays of the size of the matrix come and go with every linear system. Given back each time, their
-/// pages would be mapped and cleared anew: a tenth of a run.
+/// Arrays of the size of the matrix come and go with every linear system. Given back each time,
+/// their pages would be mapped and cleared anew: a twentieth of a run.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_MAX, 0);

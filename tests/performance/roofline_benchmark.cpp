@@ -212,8 +212,10 @@ struct Sheet {
     const Local side = cells + 1;
     std::vector<Vec3> x;
     for (Local j = 0; j < side; ++j)
-      for (Local i = 0; i < side; ++i)
-        x.push_back({{double(i) / cells, double(j) / cells, wave(double(i) / cells, double(j) / cells)}});
+      for (Local i = 0; i < side; ++i) {
+        const double at[2] = {double(i) / cells, double(j) / cells};
+        x.push_back({{at[0], at[1], wave(at[0], at[1])}});
+      }
     std::vector<Local> offset{0}, node;
     for (Local j = 0; j < cells; ++j)
       for (Local i = 0; i < cells; ++i) {

@@ -71,7 +71,7 @@ bool StepStart::extrapolate(NonlinearSystem& system, Vector& x, double dt) const
   return found;
 }
 
-/// Newton's divided differences through the last states: the line, and the parabola if there is one.
+/// Newton's divided differences through the last states: the line, and the parabola if any.
 std::vector<Vector> StepStart::continuations(const Vector& x, double dt) const {
   std::vector<Vector> all;
   all.emplace_back(x, Teuchos::Copy);

@@ -33,7 +33,7 @@ void sort_unique(std::vector<Block>& blocks, Global first, Local rows) {
     end[r] += end[r - 1];
   std::vector<Global> column(blocks.size());
   for (const Block& b : blocks)
-    column[end[static_cast<std::size_t>(b.first - first)]++] = b.second; // ends where the next began
+    column[end[static_cast<std::size_t>(b.first - first)]++] = b.second; // to where the next began
   std::size_t kept = 0;
   auto begin = column.begin();
   for (Local r = 0; r < rows; ++r) {

@@ -18,12 +18,13 @@ namespace abut::assembly {
 
 /// What the last residual is compared with, and what its contributions say of it.
 struct ResidualMeasure {
-  double reference = 0.0; ///< norm of the forces in balance: internal ones or what opposes them [force]
+  /// Norm of the forces in balance: internal ones or what opposes them. [force]
+  double reference = 0.0;
   /// Size of a residual that rounding of the unknowns makes by itself, with the stiffness of the
   /// last tangent: a body that moves without strain has no other forces. [force]
   double round_off = 0.0;
   bool settled = true;     ///< all follow their true laws, see Contribution::settled
-  bool overloaded = false; ///< some have forces beyond what bodies carry, see Contribution::overloaded
+  bool overloaded = false; ///< some exceed what bodies carry, see Contribution::overloaded
 };
 
 /// The equations of all contributions: f(x) = sum of residuals = 0 for the unknowns that are not
@@ -122,8 +123,8 @@ private:
   MotionTerms motion_;
   WorkLedger work_;
   double time_ = 0.0;
-  long state_version_ = -1;   ///< of all contributions in the last prepare
-  bool prepared_ = false;     ///< u_ and all that is made of it are of the last x and time
+  long state_version_ = -1;     ///< of all contributions in the last prepare
+  bool prepared_ = false;       ///< u_ and all that is made of it are of the last x and time
   bool forces_known_ = false;   ///< whether the rigid bodies hold the forces of the last prepare
   bool residual_known_ = false; ///< whether raw_residual_ is of the last prepare
   bool joints_scaled_, scale_joints_;

@@ -9,8 +9,8 @@
 
 namespace abut::assembly {
 
-/// The tangent's values, and the matrix on them in which constrained rows and columns hold only their
-/// diagonal.
+/// The tangent's values, and the matrix on them in which constrained rows and columns hold only
+/// their diagonal.
 class TangentMatrix {
 public:
   explicit TangentMatrix(const unknowns::BlockPattern& pattern) : pattern_(pattern) {}
