@@ -2,6 +2,7 @@
 #include "check_command.hpp"
 #include "import_command.hpp"
 #include "mesh_command.hpp"
+#include "process_start.hpp"
 #include "run_command.hpp"
 #include "schema_command.hpp"
 
@@ -11,12 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
 #include <cstdio>
-#include <cstdlib>
-#include <limits>
 #include <string>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace {
 
@@ -69,21 +65,10 @@ int run(int argc, char** argv, const abut::Comm& comm) {
   return defect;
 }
 
-/// Arrays of the size of the matrix come and go with every linear system. Given back each time,
-/// their pages would be mapped and cleared anew: a twentieth of a run.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
-  keep_freed_memory();
-  // Started alone, Open MPI would fork a daemon that nothing here needs and that may fail to start.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  abut::app::prepare_process();
   int program_only = 1; // Kokkos would answer --help itself
   Tpetra::ScopeGuard scope(&program_only, &argv);
   const abut::Comm comm(MPI_COMM_WORLD);

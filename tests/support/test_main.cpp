@@ -27,7 +27,7 @@ int run_tests() {
 
 /// Runs GoogleTest under MPI; ranks other than the root print only failures.
 int main(int argc, char** argv) {
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); // see apps/abut/main.cpp
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); // see apps/abut/process_start.cpp
   MPI_Init(&argc, &argv);
   int status = 0;
   {

@@ -18,7 +18,7 @@ Coarsest::Coarsest(const BlockMatrix<float, N, N>& a, const Distribution& rows)
         for (int r = 0; r < N; ++r)
           mine[(static_cast<std::size_t>(i) * N + std::size_t(r)) * size_ +
                static_cast<std::size_t>(rows.global(a.column(k))) * N + std::size_t(c)] =
-              a.block(k)[c * padded(N) + r];
+              a.block(k)[c * N + r];
   const std::vector<double> by_rows = comm_->all_gather(mine);
   factors_.resize(size_ * size_);
   for (std::size_t r = 0; r < size_; ++r)

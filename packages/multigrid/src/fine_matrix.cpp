@@ -48,7 +48,7 @@ template <int N> BlockMatrix<float, N, N> FineMatrix<N>::blocks(const Matrix& ma
       for (auto k = local.graph.row_map(N * i + r); k < local.graph.row_map(N * i + r + 1); ++k) {
         const auto j = static_cast<std::size_t>(local.graph.entries(k));
         const int c = component_[j];
-        a.block(place[std::size_t(block_column_[j])])[c * padded(N) + r] =
+        a.block(place[std::size_t(block_column_[j])])[c * N + r] =
             static_cast<float>(local.values(k));
       }
   }
@@ -61,7 +61,7 @@ template <int N> std::vector<char> FineMatrix<N>::constrained(const BlockMatrix<
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
       for (int c = 0; c < N; ++c)
         for (int r = 0; r < N; ++r)
-          if (a.block(k)[c * padded(N) + r] != 0.0F && !(a.column(k) == i && r == c))
+          if (a.block(k)[c * N + r] != 0.0F && !(a.column(k) == i && r == c))
             result[static_cast<std::size_t>(i) * N + std::size_t(r)] = 0;
   return result;
 }

@@ -23,8 +23,8 @@ public:
   std::size_t bytes() const { return value_.size() * sizeof(float); }
 
 private:
-  static constexpr int size = padded(N) * N;
-  View<float> value_; ///< (rows, N, padded(N))
+  static constexpr int size = N * N;
+  View<float> value_; ///< (rows, N, N), see block_values
 };
 
 /// What is added to the diagonal of rows with columns of other ranks. Between ranks the sweep is
@@ -73,7 +73,7 @@ template <int N> void invert(const float* block, float* inverse) {
   double m[N][2 * N] = {};
   for (int r = 0; r < N; ++r) {
     for (int c = 0; c < N; ++c)
-      m[r][c] = block[c * padded(N) + r];
+      m[r][c] = block[c * N + r];
     m[r][N + r] = 1.0;
   }
   for (int c = 0; c < N; ++c) {
@@ -94,12 +94,13 @@ template <int N> void invert(const float* block, float* inverse) {
   }
   for (int c = 0; c < N; ++c)
     for (int r = 0; r < N; ++r)
-      inverse[c * padded(N) + r] = static_cast<float>(m[r][N + c]);
+      inverse[c * N + r] = static_cast<float>(m[r][N + c]);
 }
 
 template <int N>
 InverseDiagonal<N>::InverseDiagonal(const BlockMatrix<float, N, N>& a, const View<float>& border) {
-  value_ = View<float>("multigrid: inverse diagonal", static_cast<std::size_t>(a.rows) * size);
+  value_ = block_values<N, float>("multigrid: inverse diagonal",
+                                  static_cast<std::size_t>(a.rows) * size);
   float block[size];
   for (Local i = 0; i < a.rows; ++i)
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
@@ -107,7 +108,7 @@ InverseDiagonal<N>::InverseDiagonal(const BlockMatrix<float, N, N>& a, const Vie
         continue;
       std::copy_n(a.block(k), size, block);
       for (int r = 0; r < N && border.size() > 0; ++r)
-        block[r * padded(N) + r] += border(static_cast<std::size_t>(i) * padded(N) + r);
+        block[r * N + r] += border(static_cast<std::size_t>(i) * padded(N) + r);
       invert<N>(block, value_.data() + static_cast<std::size_t>(i) * size);
     }
 }
@@ -120,7 +121,7 @@ template <int N> View<float> border_weights(const BlockMatrix<float, N, N>& a) {
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
       for (int c = 0; c < N; ++c)
         for (int r = 0; r < N; ++r) {
-          const float entry = std::fabs(a.block(k)[c * padded(N) + r]);
+          const float entry = std::fabs(a.block(k)[c * N + r]);
           if (a.column(k) >= a.rows)
             sum[r] += 0.5F * entry;
           else if (a.column(k) == i && r == c)
@@ -177,8 +178,7 @@ template <int N> struct Part {
   }
 };
 
-template <int N>
-constexpr Part<N> lower_part{false, [](Local i, Local j, Local) { return j < i; }};
+template <int N> constexpr Part<N> lower_part{false, [](Local i, Local j, Local) { return j < i; }};
 template <int N>
 constexpr Part<N> upper_part{true, [](Local i, Local j, Local rows) { return j > i && j < rows; }};
 template <int N>
@@ -210,30 +210,45 @@ KOKKOS_INLINE_FUNCTION Pack<float, N> border_product(const View<float>& border, 
   return y;
 }
 
-template <int N> void GaussSeidel<N>::forward_from_zero(const float* b, float* x) const {
-  for (Local i = 0; i < lower_.rows; ++i) {
+/// One row of the forward sweep. To be run in order, on one thread.
+template <int N> struct ForwardRow {
+  BlockMatrix<float, N, N> lower;
+  InverseDiagonal<N> inverse;
+  const float* b;
+  float* x;
+
+  void operator()(Local i) const {
     const std::size_t at = static_cast<std::size_t>(i) * padded(N);
-    inverse_.times(i, Pack<float, N>::load(b + at) - lower_.row_product(i, x)).store(x + at);
+    inverse.times(i, Pack<float, N>::load(b + at) - lower.row_product(i, x)).store(x + at);
   }
+};
+
+template <int N> void GaussSeidel<N>::forward_from_zero(const float* b, float* x) const {
+  with_row_registers(ForwardRow<N>{lower_, inverse_, b, x}, [&](const auto& row) {
+    for (Local i = 0; i < lower_.rows; ++i)
+      row(i);
+  });
 }
 
-/// r = (border - U - ghost columns) x.
+/// r = (border - U - ghost columns) x, from the last row on: as U lies in memory.
 template <int N> struct UpperResidual {
   BlockMatrix<float, N, N> upper, ghost;
   View<float> border;
   const float* x;
   float* r;
 
-  KOKKOS_INLINE_FUNCTION void operator()(Local i) const {
-    const auto product = upper.row_product(upper.rows - 1 - i, x) + ghost.row_product(i, x);
+  KOKKOS_INLINE_FUNCTION void operator()(Local n) const {
+    const Local i = upper.rows - 1 - n;
+    const auto product = upper.row_product(n, x) + ghost.row_product(i, x);
     const std::size_t at = static_cast<std::size_t>(i) * padded(N);
     (border_product<N>(border, at, x) - product).store(r + at);
   }
 };
 
 template <int N> void GaussSeidel<N>::residual_after_forward(const float* x, float* r) const {
-  Kokkos::parallel_for("abut::multigrid::residual", Range(0, lower_.rows),
-                       UpperResidual<N>{upper_, ghost_, border_, x, r});
+  with_row_registers(UpperResidual<N>{upper_, ghost_, border_, x, r}, [&](const auto& kernel) {
+    Kokkos::parallel_for("abut::multigrid::residual", Range(0, lower_.rows), kernel);
+  });
 }
 
 /// w = b - (L + ghost columns - border) x.
@@ -250,16 +265,30 @@ template <int N> struct LowerResidual {
   }
 };
 
-/// x_i = D_i^-1 (b_i - (L - border) x_old - U x_new): the lower part is taken before the sweep
-/// begins, as it multiplies old values only.
-template <int N> void GaussSeidel<N>::backward(const float* b, float* x, float* work) const {
-  Kokkos::parallel_for("abut::multigrid::lower_residual", Range(0, lower_.rows),
-                       LowerResidual<N>{lower_, ghost_, border_, b, x, work});
-  for (Local n = 0; n < upper_.rows; ++n) {
-    const Local i = upper_.rows - 1 - n;
+/// One row of the backward sweep: x_i = D_i^-1 (w_i - U x_new). To be run from the last row on.
+template <int N> struct BackwardRow {
+  BlockMatrix<float, N, N> upper; ///< its last row first
+  InverseDiagonal<N> inverse;
+  const float* w;
+  float* x;
+
+  void operator()(Local i) const {
     const std::size_t at = static_cast<std::size_t>(i) * padded(N);
-    inverse_.times(i, Pack<float, N>::load(work + at) - upper_.row_product(n, x)).store(x + at);
+    const auto product = upper.row_product(upper.rows - 1 - i, x);
+    inverse.times(i, Pack<float, N>::load(w + at) - product).store(x + at);
   }
+};
+
+/// The lower part is taken before the sweep begins, as it multiplies old values only.
+template <int N> void GaussSeidel<N>::backward(const float* b, float* x, float* work) const {
+  with_row_registers(
+      LowerResidual<N>{lower_, ghost_, border_, b, x, work}, [&](const auto& kernel) {
+        Kokkos::parallel_for("abut::multigrid::lower_residual", Range(0, lower_.rows), kernel);
+      });
+  with_row_registers(BackwardRow<N>{upper_, inverse_, work, x}, [&](const auto& row) {
+    for (Local i = upper_.rows - 1; i >= 0; --i)
+      row(i);
+  });
 }
 
 } // namespace abut::multigrid

@@ -17,6 +17,15 @@ template <int N, int M> struct Level {
   std::vector<float> b, x, work;        ///< (rows, padded(N))
   Global blocks = 0;
 
+  /// Takes a matrix of other places, over the same prolongator. Collective.
+  void take(const BlockMatrix<float, N, N>& a, const Distribution& rows_of_a) {
+    rows = rows_of_a;
+    smoother = GaussSeidel<N>(a);
+    blocks = rows.comm().sum(static_cast<Global>(a.blocks()));
+    for (auto* vector : {&b, &x, &work})
+      vector->assign(static_cast<std::size_t>(rows.size()) * padded(N), 0.0F);
+  }
+
   std::size_t bytes() const {
     return smoother.bytes() + prolongator.bytes() + restriction.bytes() +
            3 * b.size() * sizeof(float);
@@ -37,7 +46,7 @@ galerkin_product(const BlockMatrix<float, N, N>& a, const Distribution& rows,
   for (Local i = 0; i < coarse.matrix.rows; ++i)
     for (Local k = coarse.matrix.offset(i); k < coarse.matrix.offset(i + 1); ++k)
       for (int m = 0; m < M && coarse.matrix.column(k) == i; ++m)
-        if (float& entry = coarse.matrix.block(k)[m * padded(M) + m]; entry == 0.0F)
+        if (float& entry = coarse.matrix.block(k)[m * M + m]; entry == 0.0F)
           entry = 1.0F; // a mode that this aggregate does not have
   return coarse;
 }

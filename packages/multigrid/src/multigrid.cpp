@@ -13,7 +13,7 @@ class Multigrid::Hierarchy {
 public:
   virtual ~Hierarchy() = default;
   virtual void setup(const Matrix& matrix) = 0;
-  virtual void refresh(const Matrix& matrix) = 0;
+  virtual void refresh(const Matrix& matrix, bool same_places) = 0;
   virtual void apply(const double* b, double* x) = 0;
   virtual std::vector<LevelReport> report() const = 0;
   virtual std::size_t bytes() const = 0;
@@ -53,15 +53,17 @@ public:
     finish(next.matrix, next.columns);
   }
 
-  void refresh(const Matrix& matrix) override {
+  void refresh(const Matrix& matrix, bool same_places) override {
+    if (!same_places)
+      rows_.emplace(comm_, matrix);
     const auto a = rows_->blocks(matrix);
     if (!fine_) {
       finish(a, rows_->rows());
       return;
     }
-    auto next = renewed(*fine_, a);
+    auto next = renewed(*fine_, {a, rows_->rows()}, same_places);
     for (auto& level : coarse_)
-      next = renewed(level, next.matrix);
+      next = renewed(level, next, same_places);
     finish(next.matrix, next.columns);
   }
 
@@ -121,10 +123,13 @@ private:
   }
 
   template <int K>
-  static DistributedRows<float, M, M> renewed(Level<K, M>& level,
-                                              const BlockMatrix<float, K, K>& a) {
-    level.smoother.renew(a);
-    return product_of(level, a);
+  static DistributedRows<float, M, M>
+  renewed(Level<K, M>& level, const DistributedRows<float, K, K>& a, bool same_places) {
+    if (same_places)
+      level.smoother.renew(a.matrix);
+    else
+      level.take(a.matrix, a.columns);
+    return product_of(level, a.matrix);
   }
 
   template <int K> void finish(const BlockMatrix<float, K, K>& a, const Distribution& rows) {
@@ -192,8 +197,8 @@ void Multigrid::setup(const Matrix& matrix) {
   hierarchy_->setup(matrix);
 }
 
-void Multigrid::refresh(const Matrix& matrix) {
-  hierarchy_->refresh(matrix);
+void Multigrid::refresh(const Matrix& matrix, bool same_places) {
+  hierarchy_->refresh(matrix, same_places);
 }
 
 bool Multigrid::is_set_up() const {

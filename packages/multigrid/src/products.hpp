@@ -7,14 +7,31 @@
 
 namespace abut::multigrid {
 
-/// c += a b, dense blocks by padded columns.
-template <class T, int R, int K, int C> void add_block_product(const T* a, const T* b, T* c) {
-  for (int j = 0; j < C; ++j, b += padded(K), c += padded(R)) {
+/// c += a b, dense blocks by columns.
+template <class T, int R, int K, int C>
+KOKKOS_INLINE_FUNCTION void add_block_product(const T* a, const T* b, T* c) {
+  for (int j = 0; j < C; ++j, b += K, c += R) {
     auto sum = Pack<T, R>::load(c);
     add_product<T, R, K>(a, b, sum);
-    sum.store(c);
+    sum.store_column(c);
   }
 }
+
+/// Adds a row of A B to C, which has its places. To be run on one thread.
+template <class T, int R, int K, int C> struct ProductRow {
+  BlockMatrix<T, R, K> a;
+  BlockMatrix<T, K, C> b;
+  BlockMatrix<T, R, C> c;
+  Local* place; ///< (columns) room for the blocks of a row
+
+  void operator()(Local i) const {
+    for (Local k = c.offset(i); k < c.offset(i + 1); ++k)
+      place[c.column(k)] = k;
+    for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
+      for (Local e = b.offset(a.column(k)); e < b.offset(a.column(k) + 1); ++e)
+        add_block_product<T, R, K, C>(a.block(k), b.block(e), c.block(place[b.column(e)]));
+  }
+};
 
 /// C = A B. columns: of B.
 template <class T, int R, int K, int C>
@@ -35,14 +52,10 @@ BlockMatrix<T, R, C> product(const BlockMatrix<T, R, K>& a, const BlockMatrix<T,
     offset.push_back(static_cast<Local>(column.size()));
   }
   auto c = make_block_matrix<T, R, C>(offset, column);
-  for (Local i = 0; i < a.rows; ++i) {
-    for (Local k = c.offset(i); k < c.offset(i + 1); ++k)
-      place[std::size_t(c.column(k))] = k;
-    for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
-      for (Local e = b.offset(a.column(k)); e < b.offset(a.column(k) + 1); ++e)
-        add_block_product<T, R, K, C>(a.block(k), b.block(e),
-                                      c.block(place[std::size_t(b.column(e))]));
-  }
+  with_row_registers(ProductRow<T, R, K, C>{a, b, c, place.data()}, [&](const auto& row) {
+    for (Local i = 0; i < a.rows; ++i)
+      row(i);
+  });
   return c;
 }
 
@@ -61,7 +74,7 @@ BlockMatrix<T, C, R> transpose(const BlockMatrix<T, R, C>& a, Local columns) {
       t.column(to) = i;
       for (int c = 0; c < C; ++c)
         for (int r = 0; r < R; ++r)
-          t.block(to)[r * padded(C) + c] = a.block(k)[c * padded(R) + r];
+          t.block(to)[r * C + c] = a.block(k)[c * R + r];
     }
   return t;
 }

@@ -14,9 +14,9 @@ namespace abut::multigrid {
 
 /// Prolongator that is the near-null space on each aggregate: one block to a row.
 template <int N, int M> struct Tentative {
-  static constexpr int block_size = padded(N) * M;
+  static constexpr int block_size = N * M;
   Aggregates aggregates;
-  std::vector<float> block;  ///< (rows, M, padded(N))
+  std::vector<float> block;  ///< (rows, M, N)
   std::vector<double> modes; ///< (aggregates, M, M) near-null space of the coarse rows
 };
 
@@ -69,7 +69,7 @@ Tentative<N, M> tentative_prolongator(Aggregates aggregates, const std::vector<d
     for (std::size_t n = 0; n < members[a].size(); ++n)
       for (int r = 0; r < N; ++r)
         for (int m = 0; m < M; ++m)
-          p.block[members[a][n] * p.block_size + std::size_t(m * padded(N) + r)] =
+          p.block[members[a][n] * p.block_size + std::size_t(m * N + r)] =
               static_cast<float>(q[(n * N + std::size_t(r)) * M + std::size_t(m)]);
   }
   p.aggregates = std::move(aggregates);
@@ -93,8 +93,9 @@ double largest_eigenvalue(const BlockMatrix<float, N, N>& a, const InverseDiagon
   double size_before = 0.0, value = 1.0;
   const auto squared = [&] {
     double sum = 0.0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(rows.owned()) * padded(N); ++k)
-      sum += double(x[k]) * x[k];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rows.owned()); ++i)
+      for (std::size_t c = 0; c < N; ++c)
+        sum += double(x[i * padded(N) + c]) * x[i * padded(N) + c];
     return rows.comm().sum(sum);
   };
   size_before = squared();
@@ -143,13 +144,13 @@ template <int N, int M> struct WeakSum {
     any = true;
     for (int c = 0; c < N; ++c)
       for (int r = 0; r < N; ++r) {
-        const double entry = block[c * padded(N) + r];
+        const double entry = block[c * N + r];
         for (int m = 0; m < M; ++m)
           value[r * M + m] += entry * modes[c * M + m];
       }
   }
   /// Adds value R^-1 to a block, R the upper triangle of an aggregate's modes. Left out are modes
-  /// that the aggregate does not have, and hardly has: `accepts` tells of a column (padded(N)).
+  /// that the aggregate does not have, and hardly has: `accepts` tells of a column.
   template <class Accepts>
   void add_to(float* block, const double* upper, const Accepts& accepts) const {
     double y[M][N] = {};
@@ -167,7 +168,7 @@ template <int N, int M> struct WeakSum {
       }
       if (accepts(column))
         for (int r = 0; r < N; ++r)
-          block[m * padded(N) + r] += column.value[r];
+          block[m * N + r] += column.value[r];
       else
         std::fill_n(y[m], N, 0.0);
     }
@@ -252,11 +253,11 @@ smoothed_prolongator(const BlockMatrix<float, N, N>& a, const InverseDiagonal<N>
   for (Local i = 0; i < product.rows; ++i)
     for (Local k = product.offset(i); k < product.offset(i + 1); ++k)
       for (int m = 0; m < M; ++m) {
-        float* entry = product.block(k) + m * padded(N);
+        float* entry = product.block(k) + m * N;
         const auto change = inverse.times(i, Pack<float, N>::load(entry));
         const bool own = product.column(k) == column[std::size_t(i)];
         const float* old = tentative.block.data() + static_cast<std::size_t>(i) * block_size +
-                           static_cast<std::size_t>(m * padded(N));
+                           static_cast<std::size_t>(m * N);
         for (int r = 0; r < N; ++r)
           entry[r] = (own ? old[r] : 0.0F) - static_cast<float>(weight) * change.value[r];
       }

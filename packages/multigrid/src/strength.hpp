@@ -32,7 +32,7 @@ BlockMatrix<float, 1, 1> translation_energies(const BlockMatrix<float, N, N>& a,
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k) {
       double sum = 0.0;
       for (int d = 0; d < translations(M); ++d)
-        sum += share(i, d) * a.block(k)[d * padded(N) + d] * share(a.column(k), d);
+        sum += share(i, d) * a.block(k)[d * N + d] * share(a.column(k), d);
       energies.value(k) = static_cast<float>(sum);
     }
   return energies;
@@ -52,7 +52,7 @@ std::vector<char> evolution_strength(const BlockMatrix<float, 1, 1>& energies,
 
 /// Whether a block holds anything.
 template <int N> bool couples(const float* block) {
-  for (int v = 0; v < padded(N) * N; ++v)
+  for (int v = 0; v < N * N; ++v)
     if (block[v] != 0.0F)
       return true;
   return false;

@@ -25,12 +25,8 @@ public:
     return operator_;
   }
 
-  /// The prolongators of an earlier state of stick and slip are no good for an unsymmetric matrix.
-  RCP<Operator> renew(const RCP<const Matrix>& matrix, bool symmetric, bool same_graph) override {
-    if (symmetric && same_graph)
-      multigrid_->refresh(*matrix);
-    else
-      multigrid_->setup(*matrix);
+  RCP<Operator> renew(const RCP<const Matrix>& matrix, bool, bool same_graph) override {
+    multigrid_->refresh(*matrix, same_graph);
     return operator_;
   }
 

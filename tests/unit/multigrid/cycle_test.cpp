@@ -115,7 +115,47 @@ TEST_P(Fields, RefreshOfTheSameValuesIsSetup) {
   Problem problem({GetParam(), 8, 10});
   const auto b = random_values(problem.map, 4);
   const auto before = problem.preconditioned(b);
-  problem.cycle.refresh(*problem.matrix);
+  for (const bool same_places : {true, false}) {
+    problem.cycle.refresh(*problem.matrix, same_places);
+    EXPECT_EQ(problem.preconditioned(b), before);
+  }
+}
+
+/// The matrix with zeros in the columns of a node far away, that is on another rank.
+RCP<const Matrix> with_far_couplings(const Matrix& matrix, int fields) {
+  const auto rows = matrix.getRowMap();
+  const Global size = static_cast<Global>(rows->getGlobalNumElements());
+  const Global half = size / fields / 2 * fields;
+  auto wide = rcp(new Matrix(rows, matrix.getGlobalMaxNumRowEntries() + std::size_t(fields)));
+  for (std::size_t i = 0; i < local_size(*rows); ++i) {
+    const Global row = rows->getGlobalElement(Local(i)), node = row / fields * fields;
+    Matrix::nonconst_global_inds_host_view_type columns("columns",
+                                                        matrix.getNumEntriesInLocalRow(Local(i)));
+    Matrix::nonconst_values_host_view_type values("values", columns.size());
+    std::size_t count = 0;
+    matrix.getGlobalRowCopy(row, columns, values, count);
+    wide->insertGlobalValues(row, Local(count), values.data(), columns.data());
+    for (int c = 0; c < fields; ++c) {
+      const Global column = (node + half) % size + c;
+      const double zero = 0.0;
+      wide->insertGlobalValues(row, 1, &zero, &column);
+    }
+  }
+  wide->fillComplete();
+  return wide;
+}
+
+TEST_P(Fields, RefreshTakesOtherPlaces) {
+  Problem problem({GetParam(), 8, 10});
+  const auto b = random_values(problem.map, 4);
+  const auto before = problem.preconditioned(b);
+  const Global blocks = problem.cycle.levels().front().blocks;
+  problem.cycle.refresh(*with_far_couplings(*problem.matrix, GetParam()), false);
+  EXPECT_GT(problem.cycle.levels().front().blocks, blocks);
+  const auto after = problem.preconditioned(b);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    EXPECT_NEAR(after[i], before[i], 1e-5 * (1.0 + std::fabs(before[i])));
+  problem.cycle.refresh(*problem.matrix, false);
   EXPECT_EQ(problem.preconditioned(b), before);
 }
 
@@ -126,7 +166,7 @@ TEST_P(Fields, RefreshFollowsTheMatrix) {
   problem.matrix->resumeFill();
   problem.matrix->scale(4.0);
   problem.matrix->fillComplete();
-  problem.cycle.refresh(*problem.matrix);
+  problem.cycle.refresh(*problem.matrix, true);
   const auto after = problem.preconditioned(b);
   for (std::size_t i = 0; i < b.size(); ++i)
     EXPECT_NEAR(4.0 * after[i], before[i], 1e-5 * (1.0 + std::fabs(before[i])));

@@ -26,7 +26,7 @@ template <int R, int C> BlockMatrix<float, R, C> sample(Local rows, Local column
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
       for (int c = 0; c < C; ++c)
         for (int r = 0; r < R; ++r)
-          a.block(k)[c * padded(R) + r] =
+          a.block(k)[c * R + r] =
               std::sin(1.7F * float(k) + 3.1F * float(c * R + r) + float(seed)) +
               (a.column(k) == i && r == c ? 10.0F : 0.0F);
   return a;
@@ -38,8 +38,7 @@ template <int R, int C> Dense dense(const BlockMatrix<float, R, C>& a, Local col
     for (Local k = a.offset(i); k < a.offset(i + 1); ++k)
       for (int c = 0; c < C; ++c)
         for (int r = 0; r < R; ++r)
-          m[std::size_t(i * R + r)][std::size_t(a.column(k) * C + c)] =
-              a.block(k)[c * padded(R) + r];
+          m[std::size_t(i * R + r)][std::size_t(a.column(k) * C + c)] = a.block(k)[c * R + r];
   return m;
 }
 

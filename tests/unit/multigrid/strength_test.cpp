@@ -173,12 +173,11 @@ TEST(Prolongator, LumpingTakesTheNearNullSpaceAlong) {
         double filtered = 0.0, whole = 0.0;
         for (Local k = product.offset(i); k < product.offset(i + 1); ++k)
           for (int s = 0; s < M; ++s)
-            filtered += product.block(k)[s * padded(N) + r] *
+            filtered += product.block(k)[s * N + r] *
                         tentative.modes[std::size_t((product.column(k) * M + s) * M + m)];
         for (Local j = 0; j < rows; ++j)
           for (int c = 0; c < N; ++c)
-            whole +=
-                a.block(i * rows + j)[c * padded(N) + r] * modes[std::size_t((j * N + c) * M + m)];
+            whole += a.block(i * rows + j)[c * N + r] * modes[std::size_t((j * N + c) * M + m)];
         EXPECT_NEAR(filtered, whole, 1e-4) << i << ", " << r << ", " << m;
       }
 }
@@ -191,10 +190,10 @@ TEST(Prolongator, LumpingLeavesOutTurnsThatTakeNeighboursFar) {
   auto a = full<N, N>(rows, rows);
   for (Local i = 0; i < rows; ++i)
     for (int c = 0; c < N; ++c)
-      a.block(i * rows + i)[c * padded(N) + c] = 1.0F;
+      a.block(i * rows + i)[c * N + c] = 1.0F;
   for (int c = 0; c < N; ++c)
     for (int r = 0; r < N; ++r)
-      a.block(rows - 1)[c * padded(N) + r] = -0.1F;
+      a.block(rows - 1)[c * N + r] = -0.1F;
   std::vector<RowPlace> places(static_cast<std::size_t>(rows));
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
     places[i].point = {double(i), 1e-3 * std::sin(double(i)), 0.0};

@@ -16,8 +16,8 @@ namespace abut::multigrid {
 
 struct Options {
   /// A coupling is weak where the evolution measure is more than so many times the least of its
-  /// rows. Infinity: all are strong. Olson, Schroder, Tuminaro (2010); PyAMG takes 4, but the faces of
-  /// trilinear cubes have 3.96, which this value stays clear of. [1]
+  /// rows. Infinity: all are strong. Olson, Schroder, Tuminaro (2010); PyAMG takes 4, but the faces
+  /// of trilinear cubes have 3.96, which this value stays clear of. [1]
   double drop_tolerance = 6.0;
   /// Over the largest eigenvalue of D^-1 A, the weight that smooths prolongators. [1]
   double prolongator_damping = 4.0 / 3.0;
@@ -42,8 +42,9 @@ public:
   /// the modes, block after block with contiguous numbers on each rank. A scalar row that holds
   /// only its diagonal counts as constrained.
   void setup(const Matrix& matrix);
-  /// New values in the same places: the coarse matrices over the prolongators of the last setup.
-  void refresh(const Matrix& matrix);
+  /// Another matrix over the same rows, with the prolongators of the last setup. same_places: with
+  /// the graph of the last matrix.
+  void refresh(const Matrix& matrix, bool same_places);
   bool is_set_up() const;
 
   /// x = B b: one V cycle with a forward block Gauss-Seidel sweep before and a backward one after
