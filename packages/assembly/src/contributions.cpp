@@ -146,11 +146,9 @@ void Contributions::add_tangent(const Part& p, const NodalFields& fields, rigid:
   p.contribution->tangent(fields, scatter);
 }
 
-void Contributions::add_tangents(bool inertial, const NodalFields& fields, rigid::Bodies& bodies,
+void Contributions::add_tangents(Force which, const NodalFields& fields, rigid::Bodies& bodies,
                                  double* values) {
-  const auto wanted = [&](const Part& p) {
-    return (p.contribution->role() == Role::inertia) == inertial;
-  };
+  const auto wanted = [&](const Part& p) { return kind(*p.contribution) == which; };
   if (std::none_of(parts_.begin(), parts_.end(), wanted))
     return;
   dofs_.mesh().comm.together([&] {

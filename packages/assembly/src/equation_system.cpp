@@ -30,7 +30,8 @@ EquationSystem::EquationSystem(unknowns::DofMap dofs, PhaseTimers& timers,
       constraints_(static_cast<std::size_t>(dofs_.num_rows()) * dofs_.fields(),
                    constraints_of(bodies_, joints_)),
       tangent_(contributions_.pattern()), joints_scaled_(joints_.empty()),
-      scale_joints_(!joints_.empty()) {
+      scale_joints_(!joints_.empty()),
+      u_accepted_(static_cast<std::size_t>(dofs_.mesh().num_local()) * dofs_.fields(), 0.0) {
   constraints_.follow(time_, {});
 }
 
@@ -53,6 +54,15 @@ void EquationSystem::set_time(double t) {
   scale_joints_ = !joints_scaled_;
   if (dofs_.mesh().comm.any(constraints_.follow(t, work_.last_x())))
     tangent_.reset();
+}
+
+/// Rigid bodies' turns are not small in an approach: with them, bodies stay as they are.
+void EquationSystem::begin_solve(SolveKind kind) {
+  const bool linear = kind == SolveKind::approach && !bodies_.have_unknowns();
+  if (linear != linear_)
+    forces_known_ = residual_known_ = false;
+  linear_ = linear;
+  contributions_.begin_solve(kind);
 }
 
 bool EquationSystem::symmetric() const {
@@ -157,12 +167,15 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
   }
   const double weight = mass_alone ? 1.0 : motion_.weight();
   const View<double>& values = tangent_.clear();
-  contributions_.add_tangents(true, fields(), bodies_, values.data());
+  contributions_.add_tangents(Force::inertial, fields(), bodies_, values.data());
   if (weight != 1.0)
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] *= weight;
-  if (!mass_alone)
-    contributions_.add_tangents(false, fields(), bodies_, values.data());
+  if (!mass_alone) {
+    contributions_.add_tangents(Force::internal, linear_ ? accepted_fields() : fields(), bodies_,
+                                values.data());
+    contributions_.add_tangents(Force::other, fields(), bodies_, values.data());
+  }
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   const unknowns::BlockPattern& pattern = contributions_.pattern();
   pattern.add_shared_values(values.data());
@@ -210,6 +223,7 @@ void EquationSystem::add_work(const Vector& x) {
 
 void EquationSystem::accept(const Vector& x) {
   prepare(x);
+  u_accepted_ = u_;
   add_work(x);
   contributions_.accept();
   bodies_.accept();

@@ -14,11 +14,24 @@ constexpr double share_of_change = 0.1; ///< of the multipliers' last change, an
 constexpr double near = 1e-2;           ///< tolerance of an approach
 } // namespace
 
+namespace {
+
+/// So is a state that has no residual, as where an element is inverted.
+bool is_overloaded(NonlinearSystem& system, const Vector& x) {
+  Vector f(x.getMap());
+  try {
+    system.residual(x, f);
+  } catch (const SolveError&) {
+    return true;
+  }
+  return system.overloaded();
+}
+
+} // namespace
+
 int AugmentedLagrangian::approach(NonlinearSystem& system, Vector& x,
                                   const IterationCallback& observer) {
-  Vector f(x.getMap());
-  system.residual(x, f);
-  if (!system.overloaded())
+  if (!is_overloaded(system, x))
     return 0;
   const Vector start(x, Teuchos::Copy);
   int iterations = 0;

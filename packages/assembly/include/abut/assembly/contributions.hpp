@@ -39,9 +39,8 @@ public:
   std::vector<double> residual_of(std::size_t part, const NodalFields& fields,
                                   rigid::Bodies& bodies);
 
-  /// Adds the tangents of the inertial ones, or of all others, to the values of the pattern.
-  void add_tangents(bool inertial, const NodalFields& fields, rigid::Bodies& bodies,
-                    double* values);
+  /// Adds the tangents of all of one kind to the values of the pattern.
+  void add_tangents(Force which, const NodalFields& fields, rigid::Bodies& bodies, double* values);
   void add_tangent_of(std::size_t part, const NodalFields& fields, rigid::Bodies& bodies,
                       double* values);
 

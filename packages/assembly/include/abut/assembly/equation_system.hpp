@@ -45,8 +45,9 @@ public:
   /// prescribed may change.
   void set_time(double t);
   double time() const { return time_; }
-  /// Events of the solution, told to all contributions; see Contribution.
-  void begin_solve(SolveKind kind) { contributions_.begin_solve(kind); }
+  /// Events of the solution, told to all contributions; see Contribution. In an approach internal
+  /// forces are linear about the last accepted state: no path through them inverts an element.
+  void begin_solve(SolveKind kind);
   void iterate_taken() { contributions_.iterate_taken(); }
 
   const unknowns::DofMap& dofs() const { return dofs_; }
@@ -106,11 +107,13 @@ private:
   void prepare(const Vector& x);
   void scale_joints();
   void sum_forces();
+  std::vector<double> linear_forces();
   ResidualMeasure measured(const Vector& x) const;
   void assemble_tangent(bool mass_alone);
   RCP<const Matrix> make_matrix();
   void add_work(const Vector& x);
   NodalFields fields() const { return {u_.data(), dofs_.fields(), time_}; }
+  NodalFields accepted_fields() const { return {u_accepted_.data(), dofs_.fields(), time_}; }
 
   unknowns::DofMap dofs_;
   PhaseTimers& timers_;
@@ -128,7 +131,9 @@ private:
   bool forces_known_ = false;   ///< whether the rigid bodies hold the forces of the last prepare
   bool residual_known_ = false; ///< whether raw_residual_ is of the last prepare
   bool joints_scaled_, scale_joints_;
+  bool linear_ = false;              ///< internal forces are linear about u_accepted_
   std::vector<double> u_;            ///< (N, fields) of the last prepare
+  std::vector<double> u_accepted_;   ///< (N, fields) of the last accepted state
   std::vector<double> raw_residual_; ///< owned rows
   std::array<double, 4> norms_ = {}; ///< squared, of each kind of force and of joints; of this rank
   RCP<Vector> last_;                 ///< where the residual was asked last

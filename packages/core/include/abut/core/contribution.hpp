@@ -41,7 +41,8 @@ enum class SolveKind {
   /// while loads and prescribed bodies are already the next one's.
   prediction,
   /// Newton's iteration toward a state that the next solve can start from, see
-  /// Contribution::overloaded: laws stiffer than the bodies are as soft as they are.
+  /// Contribution::overloaded: laws stiffer than the bodies are as soft as they are, and bodies
+  /// respond as to small strains.
   approach,
   newton,             ///< Newton's iteration of a step
   after_augmentation, ///< the same again, after multipliers have changed
