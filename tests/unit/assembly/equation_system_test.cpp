@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/assembly/equation_system.hpp"
+#include "abut/core/error.hpp"
 #include "abut/core/trilinos.hpp"
 #include "abut/meshgen/generate.hpp"
 #include "abut/solid/solid_contribution.hpp"
@@ -79,6 +80,32 @@ TEST(EquationSystem, TangentIsTheDerivativeOfTheResidual) {
   plus.update(-0.5 / h, minus, 0.5 / h);
   EXPECT_GT(product.norm2(), 0.1);
   EXPECT_LT(difference(product, plus), 1e-8 * product.norm2());
+}
+
+/// f(x0) + K(x0) (x - x0), even where an element of x is inverted.
+TEST(EquationSystem, ApproachIsLinearAboutTheAcceptedState) {
+  Box box(solid::MaterialModel::neo_hookean);
+  const Vector accepted = box.field(0.05), way = box.field(3.0);
+  Vector x(accepted, Teuchos::Copy), f(x.getMap()), expected(x.getMap()), change(x.getMap());
+  box.system.residual(accepted, expected);
+  box.system.accept(accepted);
+  box.system.tangent(accepted)->apply(way, change);
+  expected.update(1.0, change, 1.0);
+  x.update(1.0, way, 1.0);
+  EXPECT_THROW(box.system.residual(x, f), SolveError);
+  box.system.begin_solve(SolveKind::approach);
+  box.system.residual(x, f);
+  EXPECT_GT(change.norm2(), 1.0);
+  EXPECT_LT(difference(f, expected), 1e-4 * change.norm2());
+  Vector product(x.getMap());
+  box.system.tangent(x)->apply(way, product);
+  EXPECT_LT(difference(product, change), 1e-14 * change.norm2());
+  box.system.begin_solve(SolveKind::newton);
+  EXPECT_THROW(box.system.residual(x, f), SolveError);
+  x.update(0.5, accepted, 0.5, accepted, 0.0);
+  box.system.residual(x, f);
+  expected.update(-1.0, change, 1.0);
+  EXPECT_LT(difference(f, expected), 1e-12 * change.norm2());
 }
 
 // The same sums on any number of ranks: values computed on one rank.
