@@ -20,8 +20,9 @@ namespace {
 
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 
-constexpr double max_growth = 1.5; ///< of the iterations with a preconditioner that is kept
-constexpr int slack = 2;           ///< iterations beyond that
+constexpr double max_growth = 1.5;   ///< of the iterations with a preconditioner that is kept
+constexpr int slack = 2;             ///< iterations beyond that
+constexpr double worn_growth = 1.15; ///< beyond which the next system gets a new one
 constexpr int most_kept =
     2; ///< systems on which a preconditioner stays as it is, where it might do
 
@@ -52,7 +53,7 @@ public:
   }
 
   void set_matrix(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) {
-    if (symmetric != symmetric_)
+    if (symmetric != symmetric_ || worn_)
       forget();
     else if (!preconditioner_.is_null())
       keep_or_renew(matrix, graph_version == graph_version_);
@@ -61,7 +62,10 @@ public:
     graph_version_ = graph_version;
   }
 
-  void forget() { preconditioner_ = Teuchos::null; }
+  void forget() {
+    preconditioner_ = Teuchos::null;
+    worn_ = false;
+  }
 
   LinearResult solve(const Vector& b, Vector& x, double tolerance) {
     if (!preconditioner_.is_null()) {
@@ -69,8 +73,11 @@ public:
       const int limit =
           std::min(options_.max_iterations, static_cast<int>(max_growth * usual) + slack);
       const auto result = iterate(symmetric_, b, x, tolerance, limit);
-      if (result)
+      if (result) {
+        const double fresh = iterations_per_decade_ * decades(result->relative_residual);
+        worn_ = result->iterations > worn_growth * fresh + 1.0;
         return *result;
+      }
       forget();
     }
     build_preconditioner();
@@ -191,6 +198,7 @@ private:
   RCP<Operator> preconditioner_;
   double iterations_per_decade_ = 0.0; ///< right after it was built
   int kept_ = 0;                       ///< systems since it was built or renewed
+  bool worn_ = false;                  ///< the last system took more iterations than fresh ones do
   std::string last_attempt_;
 };
 
