@@ -28,6 +28,12 @@ struct Interaction::Parts {
   void rest();
   /// Partners, readings and the law, at points or nodes.
   void evaluate_sites();
+  /// Whether the solve under way is one in which nearest points hold what nothing else does.
+  bool seeks_hold() const {
+    return nearest_hold && !established &&
+           (solve == SolveKind::prediction || solve == SolveKind::approach);
+  }
+  void find_nearest();
   void build_pairs();
   void add_node_rows(const NodeRowArrays& rows) const;
 
@@ -38,6 +44,8 @@ struct Interaction::Parts {
   NormalLaw normal_law;
   double end = 1.0; ///< t at which an initial overlap is resolved
   bool exact_tangent = false;
+  bool nearest_hold = false; ///< see Interaction::hold_by_nearest
+  bool apart = false;        ///< then, and no point has closed in the last evaluation
 
   PairArrays pairs;
   NodeCells node_cells;
@@ -93,6 +101,11 @@ void Interaction::set_prescribed(const std::vector<char>& directions) {
     data.nodal->set_prescribed(data.held);
 }
 
+void Interaction::hold_by_nearest() {
+  parts_->nearest_hold = settings().modulus > 0.0;
+  ++parts_->state_version;
+}
+
 bool Interaction::acts() const {
   return parts_->data.acts;
 }
@@ -125,9 +138,9 @@ void Interaction::Parts::set_terms(double time) {
   const bool given = o.penalty_source == PenaltySource::given;
   terms.law.friction = o.friction * (friction_schedule ? friction_schedule(time) : 1.0);
   terms.law.predicting = solve == SolveKind::prediction && established;
-  terms.softest = solve == SolveKind::approach ? o.modulus : 0.0;
+  terms.softest = solve == SolveKind::approach || seeks_hold() ? o.modulus : 0.0;
   // Means over nodes jump where points change faces: far from balance that leads in circles.
-  terms.at_nodes = data.nodal && solve != SolveKind::approach;
+  terms.at_nodes = data.nodal && solve != SolveKind::approach && !seeks_hold();
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
   terms.user_law = bool(normal_law);
@@ -190,11 +203,34 @@ void Interaction::Parts::evaluate_sites() {
                        ReadPoints{data.place.search(), data.points, data.terms});
   if (normal_law)
     apply_law(normal_law, data.points);
+  data.terms.law.hair = 0.0;
+  if (nearest_hold && !established)
+    find_nearest();
   if (data.terms.at_nodes)
     data.nodal->evaluate(data.primary(), data.points, data.terms.law);
   else
     Kokkos::parallel_for("abut::contact::decide_points", Range(0, points),
                          DecidePoints{data.primary(), data.facing(), data.points, data.terms});
+}
+
+/// Bodies that nothing but contact holds and that stand a hair off each other: springs without
+/// force at the nearest points tell which way they go. Collective.
+void Interaction::Parts::find_nearest() {
+  constexpr double band = 0.1; ///< in face sizes, beyond the nearest point
+  double nearest = std::numeric_limits<double>::max(), size = 0.0;
+  for (Local i = 0; i < data.points.size(); ++i) {
+    const SiteReading& r = data.points.reading(i);
+    if (!r.covered || r.gap >= nearest)
+      continue;
+    nearest = r.gap;
+    size = r.size;
+  }
+  double best[2] = {-nearest, size};
+  data.comm.max(best, 2);
+  nearest = -best[0];
+  apart = nearest > touching_gap * best[1];
+  if (apart && seeks_hold() && best[1] > 0.0)
+    data.terms.law.hair = nearest + band * best[1];
 }
 
 void Interaction::Parts::add_node_rows(const NodeRowArrays& rows) const {
@@ -279,6 +315,8 @@ bool Interaction::overloaded() const {
   const double modulus = settings().modulus;
   if (modulus <= 0.0 || parts_->established)
     return false;
+  if (parts_->nearest_hold && parts_->apart)
+    return true;
   if (data.terms.at_nodes) {
     const NodalArrays& nodes = data.nodal->arrays();
     for (Local n = 0; n < nodes.nodes(); ++n)

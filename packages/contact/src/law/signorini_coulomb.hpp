@@ -12,6 +12,7 @@ namespace abut::contact {
 struct LawTerms {
   double friction = 0.0;   ///< mu at the present time [1]
   bool predicting = false; ///< see SolveKind::prediction
+  double hair = 0.0;       ///< gap up to which sites that nothing presses count as touching [length]
   bool literal = false;    ///< slip by the printed theory: the shear is not decided here
 };
 
@@ -80,7 +81,8 @@ KOKKOS_INLINE_FUNCTION SiteState decide(const SiteReading& r, const SitePast& pa
     return s;
   const double pressure = r.multiplier - r.penalty * r.gap;
   // At the kink itself the stiff side of the derivative is taken: bodies that just touch hold.
-  if (pressure <= -r.penalty * touching_gap * r.size && !r.pulls)
+  const double touches = touching_gap * r.size > law.hair ? touching_gap * r.size : law.hair;
+  if (pressure <= -r.penalty * touches && !r.pulls)
     return s;
   s.touching = pressure <= 0.0 && !r.pulls;
   s.pressure = s.touching ? 0.0 : pressure;
