@@ -5,6 +5,7 @@ their own; help and unknown words."""
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import subprocess
@@ -82,10 +83,11 @@ class Overwrites(Case):
 
 
 class TwoRuns(Case):
-    def start(self):
+    def start(self, ranks=1):
         """A run that is on its way."""
         self.place("long.yaml", LONG)
-        run = subprocess.Popen([scenes.EXECUTABLE, "run", "long.yaml", "--summary", "long.json"], cwd=self.path,
+        run = subprocess.Popen(scenes._launcher(ranks) + [scenes.EXECUTABLE, "run", "long.yaml", "--summary",
+                                                          "long.json"], cwd=self.path,
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                env={**os.environ, **scenes._ENVIRONMENT})
         self.addCleanup(run.stdout.close)
@@ -120,6 +122,15 @@ class TwoRuns(Case):
                 self.assertEqual(len(results["time_whole"]), summary["steps"] + 1)
             self.assertGreaterEqual(summary["steps"], 3)
             self.assertEqual(list(self.path.glob("*.lock")), [])
+
+    def test_a_signal_to_one_rank_ends_all(self):
+        run = self.start(ranks=2)
+        process = (self.path / "long.exo.lock").read_text().split()[1]
+        os.kill(int(process), signal.SIGTERM)
+        output = run.stdout.read()
+        self.assertEqual(run.wait(60), 5, output)
+        self.assertEqual(len(re.findall("^abut: ", output, re.M)), 1, output)
+        self.assertEqual(json.loads((self.path / "long.json").read_text())["status"], "stopped")
 
     def test_one_summary(self):
         self.start()

@@ -152,6 +152,19 @@ class Output(unittest.TestCase):
         self.assertEqual(sorted(elements), sorted(self.mesh.element_map))
         self.assertEqual(sorted(nodes), sorted(self.mesh.node_map))
 
+    def test_more_ranks_than_elements(self):
+        deck = scenes.merged(DECK, {"mesh": {"file": None, "generate": {
+            "kind": "blocks", "lower_divisions": [1, 1, 1], "upper_divisions": [1, 1, 1]}},
+            "output": {"files": "per_rank"}})
+        run = scenes.run(deck, ranks=4)
+        self.assertEqual(len(run.result_files), 4)
+        elements = []
+        for path in run.result_files:
+            with netCDF4.Dataset(path) as part:
+                np.testing.assert_array_equal(part["time_whole"][:], self.run_.fields.times)
+                elements.append(len(part.dimensions["num_elem"]) if "num_elem" in part.dimensions else 0)
+        self.assertEqual(sorted(elements), [0, 0, 1, 1])
+
     def test_vtk_opens_it(self):
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOExodus import vtkExodusIIReader

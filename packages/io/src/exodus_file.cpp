@@ -57,9 +57,13 @@ ExodusFile ExodusFile::open(const std::string& path) {
 ExodusFile ExodusFile::create(const std::string& path) {
   ex_opts(0);
   errno = 0;
-  if (!std::ofstream(path, std::ios::app))
-    throw InputError("'" + path +
-                     "' cannot be written: " + (errno ? std::strerror(errno) : "unknown reason"));
+  if (!std::ofstream(path, std::ios::app)) {
+    const std::string what =
+        "'" + path + "' cannot be written: " + (errno ? std::strerror(errno) : "unknown reason");
+    if (is_of_system(errno))
+      throw MachineError(what);
+    throw InputError(what);
+  }
   int word = sizeof(double), file_word = sizeof(double);
   const int id =
       ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API, &word, &file_word);
