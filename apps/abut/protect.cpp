@@ -22,10 +22,15 @@ std::string name(io::FileKind kind) {
   return kind == io::FileKind::results ? "results of a run" : "a file of another kind";
 }
 
-/// Summaries begin with their status.
-bool is_summary(const std::string& path) {
+std::string start_of(const std::string& path) {
   std::string start(64, '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), static_cast<long>(start.size()));
+  return start;
+}
+
+/// Summaries begin with their status.
+bool is_summary(const std::string& path) {
+  const std::string start = start_of(path);
   const std::size_t first = start.find_first_not_of("{ \r\n\t");
   return start[0] == '{' && first != std::string::npos &&
          start.compare(first, 8, "\"status\"") == 0;
@@ -38,6 +43,13 @@ void protect_from_results(const std::string& path) {
   if (kind != io::FileKind::none && kind != io::FileKind::results)
     throw InputError("the results would overwrite '" + path + "', which is " + name(kind) +
                      "; give another --output-dir or 'output: {name: ...}'");
+}
+
+void protect_from_import(const std::string& path) {
+  const io::FileKind kind = io::kind_of_file(path);
+  if (kind != io::FileKind::none && start_of(path).rfind("# From FEBio's ", 0) != 0)
+    throw InputError("the imported deck would overwrite '" + path +
+                     "', which has not been imported; give another --output-dir or remove it first");
 }
 
 void protect_from_mesh(const std::string& path) {

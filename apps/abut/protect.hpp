@@ -8,6 +8,8 @@ namespace abut::app {
 
 /// Results replace nothing but results: not a mesh, a deck, anything else.
 void protect_from_results(const std::string& path);
+/// An imported deck replaces nothing but an imported deck.
+void protect_from_import(const std::string& path);
 /// A mesh replaces nothing but a mesh.
 void protect_from_mesh(const std::string& path);
 /// A summary replaces nothing but a summary, and must be writable: better known before the solve.

@@ -64,10 +64,11 @@ class Sets(Case):
                 ("loads", "side_set", {"side_set": "no face", "pressure": 1}),
                 ("loads", "side_set", {"side_set": "no face", "traction": [0, 0, 1]}),
                 ("loads", "node_set", {"node_set": "nobody", "force": [0, 0, 1]}),
+                ("bodies", "node_sets", {"node_sets": ["nobody"], "rigid": {"free": ["x"]}}),
                 ("verify", "place", {"place": "nobody", "quantity": "displacement_x", **zero}),
                 ("verify", "place", {"place": "no face", "quantity": "reaction_x", **zero})):
             with self.subTest(section=section, key=key):
-                word = entry[key]
+                word = entry[key] if isinstance(entry[key], str) else entry[key][0]
                 self.refused(self.deck({section: {"new": entry}}),
                              rf"{section}\.new\.{key}: '{word}' of the mesh is empty$", files=files)
 
