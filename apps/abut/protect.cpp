@@ -48,8 +48,9 @@ void protect_from_results(const std::string& path) {
 void protect_from_import(const std::string& path) {
   const io::FileKind kind = io::kind_of_file(path);
   if (kind != io::FileKind::none && start_of(path).rfind("# From FEBio's ", 0) != 0)
-    throw InputError("the imported deck would overwrite '" + path +
-                     "', which has not been imported; give another --output-dir or remove it first");
+    throw InputError(
+        "the imported deck would overwrite '" + path +
+        "', which has not been imported; give another --output-dir or remove it first");
 }
 
 void protect_from_mesh(const std::string& path) {

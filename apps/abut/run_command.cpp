@@ -120,6 +120,14 @@ solver::AugmentCallback after_solve(Model& m, const contact::AugmentationPolicy&
 struct Outcome {
   solver::LoadResult result;
   bool machine = false; ///< a MachineError has ended it
+  bool written = true;  ///< the last converged state is in the files
+
+  void end_by(const MachineError& e) {
+    if (!machine)
+      result.reason = e.what();
+    machine = true;
+    result.converged = false;
+  }
 };
 
 /// Raises the load; x and the equations are then those of the last converged step.
@@ -146,8 +154,7 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& l
           progress.iteration(report);
         });
   } catch (const MachineError& e) {
-    outcome.machine = true;
-    outcome.result.reason = e.what();
+    outcome.end_by(e);
     outcome.result.t = recorder.state().time;
     outcome.result.counters = recorder.counters();
     system.reject();
@@ -164,18 +171,26 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& l
   return outcome;
 }
 
-/// Verdicts and summary. Verdicts of a run that stopped have failed, for they speak of its end.
-/// Whether all are met.
-bool conclude(const Model& m, const scene::State& state, const RunFacts& facts,
-              const std::string& summary, Progress& progress) {
+/// Writes the last converged state, where it has not been.
+void write_last(Recorder& recorder, Outcome& outcome) {
+  try {
+    recorder.finish(outcome.result.counters);
+  } catch (const MachineError& e) {
+    outcome.end_by(e);
+    outcome.written = false;
+  }
+}
+
+/// Printed. Verdicts of a run that stopped have failed, for they speak of its end.
+std::vector<Verdict> judge(const Model& m, const scene::State& state, bool converged,
+                           Progress& progress) {
   auto verdicts = verify(m, state);
-  if (facts.converged)
+  if (converged)
     print_verdicts(progress, verdicts);
   else
     for (Verdict& v : verdicts)
       v.ok = false;
-  write_summary(m, state, facts, verdicts, summary);
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.ok; });
+  return verdicts;
 }
 
 /// Those of the solver's methods that did anything.
@@ -204,7 +219,7 @@ void say_how_it_ended(const Model& m, const Outcome& outcome, double seconds,
   else if (m.comm.is_root())
     fmt::print(stderr, "abut: stopped at t = {:.6g} of {:.6g}: {}\n{} is in {}\n", result.t,
                m.deck.time.end, result.reason,
-               outcome.machine ? "What could be written" : "Everything up to there", file);
+               outcome.written ? "Everything up to there" : "What could be written", file);
 }
 
 int run(const RunOptions& options) {
@@ -231,8 +246,7 @@ int run(const RunOptions& options) {
   Recorder recorder(m, stem, progress, x);
   Outcome outcome = solve(m, system, *linear, x, progress, recorder);
   solver::LoadResult& result = outcome.result;
-  if (!outcome.machine) // else files may be what has failed
-    recorder.finish(result.counters);
+  write_last(recorder, outcome);
   if (!result.converged && !outcome.machine)
     result.reason += why_stopped(m, recorder, result);
   for (const std::string& warning : recorder.watch().warnings(m, result.converged))
@@ -246,8 +260,11 @@ int run(const RunOptions& options) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   facts.linear = used_methods(*linear);
   say_what_linear_solves_cost(facts.linear, progress);
-  const bool verified = conclude(m, recorder.state(), facts, options.summary, progress);
+  const auto verdicts = judge(m, recorder.state(), result.converged, progress);
   say_how_it_ended(m, outcome, facts.wall_seconds, recorder.path(), progress);
+  write_summary(m, recorder.state(), facts, verdicts, options.summary);
+  const bool verified =
+      std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.ok; });
   if (!result.converged)
     return outcome.machine ? ExitStatus::machine : ExitStatus::stopped;
   return verified || !options.strict_verify ? ExitStatus::converged : ExitStatus::unverified;

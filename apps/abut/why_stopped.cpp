@@ -30,19 +30,19 @@ std::string changes(const Model& m, double t) {
                             ". What is let go must be held by something else, or balance itself";
 }
 
-/// What is free in the step after t; of a singular matrix also what contact alone holds.
-std::string free_motions(const Model& m, const scene::State& state, bool singular) {
+/// What is free in the step after t; else what contact alone holds, and may have let go of.
+std::string free_motions(const Model& m, const scene::State& state) {
   if (m.deck.dynamics.active)
     return "";
   const double next = state.time + m.deck.time.min_fraction * m.deck.time.end / m.deck.time.steps;
   std::string text;
-  const auto add = [&](bool contact, const char* what) {
+  const auto add = [&](bool contact, const char* before, const char* after) {
     for (const scene::FreePiece& piece : scene::free_pieces(m.deck, m, {next, &state.u, contact}))
-      text += "\nBody '" + piece.body + "' " + what + piece.text();
+      text += before + piece.body + after + piece.text();
   };
-  add(true, "is free to move: ");
-  if (text.empty() && singular)
-    add(false, "is held by contact alone against: ");
+  add(true, "\nBody '", "' is free to move: ");
+  if (text.empty())
+    add(false, "\nNothing but contact holds body '", "' against: ");
   return text;
 }
 
@@ -51,8 +51,7 @@ std::string free_motions(const Model& m, const scene::State& state, bool singula
 std::string why_stopped(const Model& m, const Recorder& recorder,
                         const solver::LoadResult& result) {
   const long long cuts = result.counters.cut_backs - recorder.counters().cut_backs;
-  return limit(m, cuts) + changes(m, result.t) +
-         free_motions(m, recorder.state(), result.reason.find("singular") != std::string::npos);
+  return limit(m, cuts) + changes(m, result.t) + free_motions(m, recorder.state());
 }
 
 } // namespace abut::app

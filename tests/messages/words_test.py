@@ -176,13 +176,24 @@ class FreeMotions(Case):
 
 class Stopped(Case):
     def test_contact_that_lets_go_is_named(self):
-        """A block on a floor, pushed aside: without friction nothing but contact holds it."""
+        """A block that is held sideways and pressed on a floor, then pulled off it."""
         run = scenes.run(scenes.merged(BLOCKS, {
-            "displacements": {"head": {"fix": ["x", "y"], "z": -0.01, "until": 0.5}}, "time": {"steps": 4},
-            "loads": {"up": {"side_set": "upper_top", "traction": [0, 0, 1e-3]}}}), check=False)
+            "displacements": {"head": {"fix": ["x", "y"], "z": None}}, "time": {"steps": 2},
+            "curves": {"turn": [[0, -1], [0.5, -1], [1, 1]]},
+            "loads": {"press": {"side_set": "upper_top", "traction": [0, 0, 1e-3], "curve": "turn"}}}), check=False)
         self.assertEqual(run.status, 1, run.output)
-        self.assertRegex(run.output, r"\nBody 'upper' is (free to move|held by contact alone against): .*"
-                         r"translation along z")
+        self.assertIn("\nNothing but contact holds body 'upper' against: translation along z, rotation about x "
+                      "through (0.5, 0.5, 1), rotation about y through (0.5, 0.5, 1)\n", run.output)
+
+    def test_what_is_free_is_named(self):
+        """Contact that ends."""
+        run = scenes.run(scenes.merged(BLOCKS, {
+            "displacements": {"head": {"fix": ["x", "y"], "z": None}}, "time": {"steps": 2},
+            "contact": {"press": {"until": 0.5}},
+            "loads": {"press": {"side_set": "upper_top", "traction": [0, 0, -1e-3]}}}), check=False)
+        self.assertEqual(run.status, 1, run.output)
+        self.assertIn("\nBody 'upper' is free to move: translation along z, rotation about x through (0.5, 0.5, 0.999), "
+                      "rotation about y through (0.5, 0.5, 0.999)\n", run.output)
 
     def test_the_setting_that_ends_a_run(self):
         hard = scenes.merged(BLOCKS, {"newton": {"max_iterations": 1}, "contact": {"press": {"friction": 0.3}},

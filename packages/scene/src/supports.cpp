@@ -262,13 +262,16 @@ private:
     const mesh::Mesh& mesh = *s_.mesh;
     std::vector<contact::ClosedPoint> closed;
     std::vector<Global> secondary;
-    for (const auto& contact : s_.contacts)
+    for (const auto& contact : s_.contacts) {
+      if (!contact->settings().window.holds(at_.t))
+        continue;
       for (const contact::ClosedPoint& q : contact->closed_points()) {
         hold(pieces_.mover(contact->primary().field_index[std::size_t(q.primary_node)]), q.normal,
              q.x);
         closed.push_back(q);
         secondary.push_back(q.secondary_node);
       }
+    }
     std::vector<std::size_t> movers;
     for (Local n = 0; n < mesh.num_owned; ++n)
       movers.push_back(pieces_.mover(n));
