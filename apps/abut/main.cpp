@@ -3,6 +3,7 @@
 #include "exit_status.hpp"
 #include "help_command.hpp"
 #include "import_command.hpp"
+#include "memory_words.hpp"
 #include "mesh_command.hpp"
 #include "run_command.hpp"
 #include "schema_command.hpp"
@@ -34,9 +35,7 @@ void say(const std::string& message) {
 
 /// Of what no user can mend.
 ExitStatus say_defect(const std::exception& e) {
-  // Kokkos makes a runtime_error of the bad_alloc of its arrays.
-  if (dynamic_cast<const std::bad_alloc*>(&e) ||
-      std::string(e.what()).find("failed to allocate memory") != std::string::npos) {
+  if (dynamic_cast<const std::bad_alloc*>(&e) || abut::app::tells_of_memory(e.what())) {
     say(abut::out_of_memory);
     return ExitStatus::machine;
   }

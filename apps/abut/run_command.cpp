@@ -3,6 +3,7 @@
 
 #include "augmentation.hpp"
 #include "exit_status.hpp"
+#include "memory_words.hpp"
 #include "protect.hpp"
 #include "recorder.hpp"
 #include "run_lock.hpp"
@@ -122,7 +123,7 @@ struct Outcome {
   bool machine = false; ///< a MachineError has ended it
   bool written = true;  ///< the last converged state is in the files
 
-  void end_by(const MachineError& e) {
+  void end_by(const std::exception& e) {
     if (!machine)
       result.reason = e.what();
     machine = true;
@@ -163,6 +164,8 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& l
     throw InputError(m.deck.where("trilinos") +
                      ": Trilinos does not take this list: " + one_line(e.what()));
   }
+  if (tells_of_memory(outcome.result.reason))
+    outcome.end_by(MachineError(outcome.result.reason + "\nThat is: " + out_of_memory));
   if (!outcome.result.converged) {
     Vector f(x.getMap());
     system.set_time(outcome.result.t);

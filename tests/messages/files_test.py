@@ -170,6 +170,15 @@ class MachineFaults(Case):
         self.assertEqual(status, 5, output)
         self.assertRegex(output, r"^abut: the memory of this machine does not suffice")
 
+    def test_memory_of_a_solve(self):
+        """Whoever meets it, reader, kernels or a library."""
+        self.place("large.yaml", scenes.merged(BLOCKS, {
+            "mesh": {"generate": {"lower_divisions": [24, 24, 24], "upper_divisions": [24, 24, 24]}},
+            "linear_solver": {"method": "krylov"}, "time": {"adaptive": False}}))
+        status, output = self.limited(resource.RLIMIT_AS, 500 << 20, "run", "large.yaml", "--quiet")
+        self.assertEqual(status, 5, output)
+        self.assertIn("the memory of this machine does not suffice", output)
+
 
 class Help(Case):
     def test_version(self):
