@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 
 namespace abut::scene {
@@ -50,11 +51,11 @@ double softest_face(const Comm& comm, const mesh::Surface& primary,
 
 /// A penalty far beyond the stiffness of the bodies leaves nothing of them in sums of 16 digits:
 /// refused where that is so, named where it costs digits. Factors of curves do not count.
-void check_penalty(const contact::ContactOptions& given, double softest, const Where& where,
-                   std::vector<std::string>& warnings) {
+void check_penalty(const contact::ContactOptions& given, const std::function<double()>& softest,
+                   const Where& where, std::vector<std::string>& warnings) {
   constexpr double costly = 1e7, hopeless = 1e11;
   const double factor =
-      given.penalty ? *given.penalty / softest : given.penalty_factor.value_or(1.0);
+      given.penalty ? *given.penalty / softest() : given.penalty_factor.value_or(1.0);
   if (!(factor > costly))
     return;
   const std::string path =
@@ -84,8 +85,10 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
   };
   std::vector<std::shared_ptr<contact::Interaction>> result;
   for (const contact::ContactOptions& given : options.contact) {
-    check_penalty(given, softest_face(mesh.comm, surface(given.primary), surface(given.secondary)),
-                  where, warnings);
+    const auto softest = [&] {
+      return softest_face(mesh.comm, surface(given.primary), surface(given.secondary));
+    };
+    check_penalty(given, softest, where, warnings);
     try {
       const contact::Passes passes = contact::make_passes(
           mesh.comm, surface(given.primary), surface(given.secondary), given, timers, host);
