@@ -2,6 +2,7 @@
 #include "check_command.hpp"
 
 #include "model.hpp"
+#include "warnings.hpp"
 
 #include "abut/core/trilinos.hpp"
 #include "abut/scene/masses.hpp"
@@ -171,14 +172,6 @@ void explain_supports(const Model& m, const Printer& print) {
       print("  FREE: body '{}' can move: {}", piece.body, motion);
 }
 
-/// Faces of a side set that stand in it twice, over all ranks.
-Global duplicate_faces(const Model& m, const mesh::Surface& s) {
-  Global count = 0;
-  for (std::size_t f = 1; f < s.face_id.size(); ++f)
-    count += s.face_id[f] == s.face_id[f - 1];
-  return m.comm.sum(count);
-}
-
 /// The choices of an interface; a second pass makes those of the first.
 void explain_choices(const Model& m, const contact::Settings& settings, const Printer& print) {
   for (const contact::ContactOptions& options : m.deck.contact) {
@@ -204,18 +197,8 @@ void explain_contact(const Model& m, const Printer& print) {
     if (s.paired_points < s.points)
       print("  {} points have no partner within {:g} face sizes", s.points - s.paired_points,
             c->settings().reach);
-    if (s.paired_points == 0)
-      print("  WARNING: no point has a partner: are the surfaces far apart, or do they face the "
-            "wrong way?");
-    const double wrong = c->wrong_facing_share();
-    if (wrong > 0.0)
-      print("  WARNING: {:.0f}% of the points near the other surface see its back: check which way "
-            "the faces point",
-            100.0 * wrong);
     if (s.min_gap < 0.0 && s.paired_points > 0)
       print("  note: the surfaces overlap at the start by up to {:.4g}", -s.min_gap);
-    if (duplicate_faces(m, c->primary()) > 0)
-      print("  WARNING: faces stand twice in side set '{}'", c->settings().primary);
   }
 }
 
@@ -232,8 +215,9 @@ void check(const std::string& deck_file) {
   explain_joints(*m, print);
   explain_supports(*m, print);
   explain_contact(*m, print);
-  for (const std::string& warning : m->warnings)
-    print("WARNING: {}", warning);
+  for (const auto& list : {m->warnings, warnings_of_start(*m)})
+    for (const std::string& warning : list)
+      print("WARNING: {}", warning);
   if (!m->deck.dynamics.active)
     scene::require_supports(m->deck, *m,
                             [&](const std::string& key) { return m->deck.where(key); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "import_command.hpp"
 
+#include "protect.hpp"
+
 #include "abut/core/error.hpp"
 #include "abut/deck/deck.hpp"
 #include "abut/febio/import.hpp"
@@ -65,7 +67,10 @@ void import_file(const Arguments& arguments) {
     throw Defect(std::string("the imported deck is not valid: ") + e.what());
   }
   create_folder(arguments.output_dir);
-  io::write_mesh((dir / (name + ".exo")).string(), scene.mesh);
+  const std::string mesh = (dir / (name + ".exo")).string();
+  protect_from_mesh(mesh);
+  protect_from_import(deck);
+  io::write_mesh(mesh, scene.mesh);
   write_text(deck, scene.deck);
   write_text(dir / (name + ".import.txt"), scene.report.text(arguments.file));
   std::cout << deck << ": " << scene.mesh.num_nodes() << " nodes, " << scene.mesh.num_elements()

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.hpp"
+#include "exit_status.hpp"
+#include "help_command.hpp"
 #include "import_command.hpp"
+#include "memory_words.hpp"
 #include "mesh_command.hpp"
 #include "process_start.hpp"
 #include "run_command.hpp"
@@ -8,15 +11,17 @@
 
 #include "abut/core/comm.hpp"
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
 #include <cstdio>
+#include <new>
 #include <string>
 
 namespace {
 
-enum Exit { converged = 0, stopped = 1, input = 2, defect = 3 };
+using abut::app::ExitStatus;
 
 /// One line on stderr in one piece: parts of it could be torn apart by what others print.
 void say(const std::string& message) {
@@ -25,8 +30,13 @@ void say(const std::string& message) {
 }
 
 /// Of what no user can mend.
-void say_defect(const std::exception& e) {
+ExitStatus say_defect(const std::exception& e) {
+  if (dynamic_cast<const std::bad_alloc*>(&e) || abut::app::tells_of_memory(e.what())) {
+    say(abut::out_of_memory);
+    return ExitStatus::machine;
+  }
   say(std::string("this is a defect of abut, please report it: ") + e.what());
+  return ExitStatus::defect;
 }
 
 /// Parses and runs the command. Errors that all ranks agree on are printed once; one that a single
@@ -35,34 +45,39 @@ int run(int argc, char** argv, const abut::Comm& comm) {
   using namespace abut::app;
   CLI::App app{"abut: contact mechanics on Exodus meshes, driven by decks"};
   app.require_subcommand(1);
-  int status = converged;
+  int status = ExitStatus::converged;
   add_run_command(app, status);
   add_check_command(app);
   add_import_command(app);
   add_mesh_command(app);
   add_schema_command(app);
+  add_help_command(app);
+  ExitStatus failure = ExitStatus::defect;
   try {
+    require_known_words(app, argc, argv);
     app.parse(argc, argv);
     return status;
   } catch (const CLI::ParseError& e) {
     const int code = comm.is_root() ? app.exit(e) : e.get_exit_code();
-    return code == 0 ? converged : input;
+    return code == 0 ? ExitStatus::converged : ExitStatus::input;
   } catch (const abut::InputError& e) {
     if (comm.is_root())
       say(e.what());
-    return input;
+    return ExitStatus::input;
   } catch (const abut::SolveError& e) {
     if (comm.is_root())
       say(e.what());
-    return stopped;
-  } catch (const abut::Defect& e) {
-    say_defect(e);
+    return ExitStatus::stopped;
+  } catch (const abut::MachineError& e) {
+    if (comm.is_root())
+      say(e.what());
+    return ExitStatus::machine;
   } catch (const std::exception& e) {
-    say_defect(e);
+    failure = say_defect(e);
   }
   if (comm.size() > 1)
-    MPI_Abort(comm.mpi(), defect); // others may wait for this rank
-  return defect;
+    MPI_Abort(comm.mpi(), failure); // others may wait for this rank
+  return failure;
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_command.hpp"
 
+#include "protect.hpp"
+
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
 #include "abut/mesh/quality.hpp"
@@ -58,6 +60,7 @@ std::string describe_kinds() {
 
 void run(const Arguments& arguments, const std::vector<std::string>& words) {
   const mesh::MeshData data = meshgen::generate(arguments.kind, read_options(words));
+  protect_from_mesh(arguments.output);
   io::write_mesh(arguments.output, data);
   std::printf("%s: %lld nodes, %lld elements, smallest scaled Jacobian %.3f\n",
               arguments.output.c_str(), data.num_nodes(), data.num_elements(),

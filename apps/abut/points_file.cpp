@@ -2,6 +2,7 @@
 #include "points_file.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,8 +39,8 @@ void PointsFile::write(double time, long long augmentations) const {
   model_.comm.on_root([&] {
     std::ofstream out(path_, std::ios::app);
     out << text;
-    if (!out)
-      throw InputError("cannot write '" + path_ + "'");
+    if (!out.flush())
+      throw MachineError("cannot write '" + path_ + "': is the disk full?");
   });
 }
 

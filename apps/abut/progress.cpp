@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
 #include <iostream>
 #include <unistd.h>
@@ -8,8 +10,9 @@
 namespace abut::app {
 
 Progress::Progress(bool is_root, bool quiet, bool launched, double end)
-    : active_(is_root && !quiet), terminal_(active_ && !launched && isatty(STDOUT_FILENO)),
-      end_(end), start_(std::chrono::steady_clock::now()) {}
+    : is_root_(is_root), active_(is_root && !quiet),
+      terminal_(active_ && !launched && isatty(STDOUT_FILENO)), end_(end),
+      start_(std::chrono::steady_clock::now()) {}
 
 void Progress::line(const std::string& text) {
   if (!active_)
@@ -18,6 +21,21 @@ void Progress::line(const std::string& text) {
     std::cout << '\r' << std::string(live_width_, ' ') << '\r';
   live_width_ = 0;
   std::cout << text << std::endl;
+}
+
+void Progress::failure(const std::string& text) {
+  if (active_)
+    line(text);
+  else if (is_root_)
+    fmt::print(stderr, "abut: {}\n", text);
+}
+
+void Progress::warning(const std::string& text) {
+  constexpr std::size_t most = 50; // numbers in them may differ from step to step
+  const bool is_new = std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end();
+  if (is_new && warnings_.size() <= most)
+    warnings_.push_back(warnings_.size() < most ? text : "more of them are in the log");
+  line("warning: " + text);
 }
 
 void Progress::live(const std::string& text) {
@@ -29,8 +47,7 @@ void Progress::live(const std::string& text) {
 }
 
 void Progress::iteration(const solver::IterationReport& r) {
-  const std::string solve =
-      r.approach ? "approach" : fmt::format("augmentation {}", augmentation_);
+  const std::string solve = r.approach ? "approach" : fmt::format("augmentation {}", augmentation_);
   const std::string text = fmt::format("  step {} {} newton {:2d}  residual {:.2e}{}", step_, solve,
                                        r.iteration, r.relative,
                                        r.step_length > 0.0 && r.step_length < 1.0
@@ -76,9 +93,10 @@ void Progress::step(const solver::StepReport& r, long long active_points,
 
 LogSink Progress::sink() {
   return [this](LogLevel level, const std::string& message) {
-    if (level == LogLevel::detail)
-      return;
-    line((level == LogLevel::warning ? "warning: " : "") + message);
+    if (level == LogLevel::warning)
+      warning(message);
+    else if (level == LogLevel::info)
+      line(message);
   };
 }
 

@@ -11,6 +11,7 @@ Recorder::Recorder(const Model& model, const std::string& stem, Progress& progre
     : model_(model), progress_(progress), state_(scene::make_state(model, x, 0.0, {})),
       writer_(stem, *model.mesh, scene::result_names(model), model.deck.output.files) {
   state_.energy.kinetic_at_start = state_.energy.kinetic;
+  watch_.look(state_);
   if (model.deck.output.points)
     points_.emplace(model, stem);
   write();
@@ -25,6 +26,7 @@ void Recorder::step(const solver::StepReport& report, const Vector& x) {
   const double kinetic_at_start = state_.energy.kinetic_at_start;
   state_ = scene::make_state(model_, x, report.t, counters_);
   state_.energy.kinetic_at_start = kinetic_at_start;
+  watch_.look(state_);
   Global active = 0;
   double ratio = 0.0;
   for (const auto& c : state_.contacts) {

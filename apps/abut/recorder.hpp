@@ -3,6 +3,7 @@
 
 #include "points_file.hpp"
 #include "progress.hpp"
+#include "warnings.hpp"
 
 #include "abut/io/result_writer.hpp"
 #include "abut/scene/state.hpp"
@@ -26,6 +27,8 @@ public:
   void finish(const solver::Counters& spent);
 
   const scene::State& state() const { return state_; }
+  const solver::Counters& counters() const { return counters_; } ///< of the converged steps
+  const ContactWatch& watch() const { return watch_; }
   const std::string& path() const { return writer_.path(); }
 
 private:
@@ -36,7 +39,8 @@ private:
   scene::State state_;
   io::ResultWriter writer_;
   std::optional<PointsFile> points_;
-  solver::Counters counters_;   ///< of the converged steps
+  solver::Counters counters_;
+  ContactWatch watch_;
   long long augmentations_ = 0; ///< of the last one
   double written_ = 0.0;        ///< t
 };

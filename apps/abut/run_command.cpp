@@ -2,20 +2,28 @@
 #include "run_command.hpp"
 
 #include "augmentation.hpp"
+#include "exit_status.hpp"
+#include "memory_words.hpp"
+#include "protect.hpp"
 #include "recorder.hpp"
+#include "run_lock.hpp"
+#include "signals.hpp"
 #include "summary.hpp"
 #include "verify.hpp"
+#include "why_stopped.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 #include "abut/core/trilinos.hpp"
 #include "abut/scene/start_motion.hpp"
 #include "abut/scene/supports.hpp"
 #include "abut/scene/tangent_check.hpp"
-#include "abut/scene/windows.hpp"
 #include "abut/solver/assembled_system.hpp"
 #include "abut/solver/linear_solver.hpp"
 
 #include <CLI/CLI.hpp>
+#include <Teuchos_ParameterListExceptions.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -27,7 +35,7 @@ namespace {
 
 struct RunOptions {
   std::string deck, summary, output_dir = ".";
-  bool quiet = false;
+  bool quiet = false, strict_verify = false;
 };
 
 std::string output_stem(const deck::Deck& deck, const std::string& dir) {
@@ -37,15 +45,15 @@ std::string output_stem(const deck::Deck& deck, const std::string& dir) {
   return (std::filesystem::path(dir) / name).string();
 }
 
-/// The results must not land on the mesh they are computed on.
-void protect_mesh(const Model& m, const std::string& stem) {
+/// The results must not land on the mesh they are computed on, nor on anything but results.
+void protect_files(const Model& m, const std::string& stem) {
   namespace fs = std::filesystem;
   m.comm.on_root([&] {
     std::error_code error;
-    if (m.deck.mesh.file.empty() || !fs::equivalent(m.deck.mesh_path(), stem + ".exo", error))
-      return;
-    throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
-                     m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
+    if (!m.deck.mesh.file.empty() && fs::equivalent(m.deck.mesh_path(), stem + ".exo", error))
+      throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
+                       m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
+    protect_from_results(stem + ".exo");
   });
 }
 
@@ -60,19 +68,15 @@ void create_folder(const Comm& comm, const std::string& dir) {
 }
 
 void print_verdicts(Progress& progress, const std::vector<Verdict>& verdicts) {
-  for (const Verdict& v : verdicts)
-    progress.line(fmt::format("verify {:<28} {:>14.7g}  expected {:>14.7g} +- {:.2g}  {}", v.name,
-                              v.value, v.expected, v.tolerance, v.ok ? "ok" : "FAILED"));
-}
-
-/// What may be the reason for a step that fails right after t.
-std::string changes_at(const Model& m, double t) {
-  std::string list;
-  for (const std::string& path : scene::windows_at(m.deck, t))
-    list += (list.empty() ? "" : ", ") + path;
-  return list.empty() ? ""
-                      : "\nThere begins or ends: " + list +
-                            ". What is let go must be held by something else, or balance itself";
+  for (const Verdict& v : verdicts) {
+    const std::string text =
+        fmt::format("verify {:<28} {:>14.7g}  expected {:>14.7g} +- {:.2g}  {}", v.name, v.value,
+                    v.expected, v.tolerance, v.ok ? "ok" : "FAILED");
+    if (v.ok)
+      progress.line(text);
+    else
+      progress.failure(text);
+  }
 }
 
 void announce(const Model& m, Progress& progress) {
@@ -80,8 +84,17 @@ void announce(const Model& m, Progress& progress) {
                             m.deck.title.empty() ? m.deck.file : m.deck.title, m.mesh->num_nodes,
                             m.mesh->num_elements, m.equations->dofs().num_global_rows() * 3,
                             m.comm.size(), m.comm.size() > 1 ? "s" : ""));
-  for (const std::string& warning : m.warnings)
-    progress.line("warning: " + warning);
+  for (const auto& list : {m.warnings, warnings_of_start(m)})
+    for (const std::string& warning : list)
+      progress.warning(warning);
+}
+
+/// What Teuchos says, without its line breaks and its counter.
+std::string one_line(const std::string& what) {
+  std::string text;
+  for (const char c : what.substr(0, what.find("\n\nThrow number")))
+    text += c == '\n' ? ' ' : c;
+  return text;
 }
 
 /// Evaluates the equations at the start and refuses bodies that nothing holds.
@@ -97,43 +110,90 @@ solver::AugmentCallback after_solve(Model& m, const contact::AugmentationPolicy&
                                     Progress& progress) {
   auto augment = make_augmentation(
       policy, [&](int n, const auto& report) { progress.augmentation(n, report); },
-      [&](const std::string& text) { progress.line("  warning: " + text); });
+      [&](const std::string& text) { progress.warning(text); });
   if (m.deck.check == deck::ModelCheck::tangent)
     augment = scene::with_tangent_check(m, std::move(augment),
                                         [&](const std::string& text) { progress.line(text); });
   return augment;
 }
 
+/// How a run came to its end.
+struct Outcome {
+  solver::LoadResult result;
+  bool machine = false; ///< a MachineError has ended it
+  bool written = true;  ///< the last converged state is in the files
+
+  void end_by(const std::exception& e) {
+    if (!machine)
+      result.reason = e.what();
+    machine = true;
+    result.converged = false;
+  }
+};
+
 /// Raises the load; x and the equations are then those of the last converged step.
-solver::LoadResult solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& linear,
-                         Vector& x, Progress& progress, Recorder& recorder) {
+Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& linear, Vector& x,
+              Progress& progress, Recorder& recorder) {
   const contact::AugmentationPolicy policy(m.contacts);
   solver::NewtonOptions options = m.deck.newton;
   options.inexact = options.inexact && policy.allows_loose_solves();
   solver::NewtonSolver newton(linear, options, m.deck.linear.tolerance);
   solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
-  const solver::LoadResult result = stepping.run(
-      system, x, [&](const auto& report, const Vector& at) { recorder.step(report, at); },
-      [&](const auto& report) { progress.iteration(report); });
-  if (!result.converged) {
+  const Signals signals;
+  Vector last(x, Teuchos::Copy);
+  Outcome outcome;
+  try {
+    outcome.result = stepping.run(
+        system, x,
+        [&](const auto& report, const Vector& at) {
+          Tpetra::deep_copy(last, at);
+          recorder.step(report, at);
+        },
+        [&](const auto& report) {
+          signals.require_none(m.comm);
+          progress.iteration(report);
+        });
+  } catch (const MachineError& e) {
+    outcome.end_by(e);
+    outcome.result.t = recorder.state().time;
+    outcome.result.counters = recorder.counters();
+    system.reject();
+    Tpetra::deep_copy(x, last);
+  } catch (const Teuchos::Exceptions::InvalidParameter& e) {
+    throw InputError(m.deck.where("trilinos") +
+                     ": Trilinos does not take this list: " + one_line(e.what()));
+  }
+  if (tells_of_memory(outcome.result.reason))
+    outcome.end_by(MachineError(outcome.result.reason + "\nThat is: " + out_of_memory));
+  if (!outcome.result.converged) {
     Vector f(x.getMap());
-    system.set_time(result.t);
+    system.set_time(outcome.result.t);
     system.residual(x, f);
   }
-  return result;
+  return outcome;
 }
 
-/// Verdicts and summary. Verdicts of a run that stopped have failed, for they speak of its end.
-void conclude(const Model& m, const scene::State& state, const RunFacts& facts,
-              const std::string& summary, Progress& progress) {
+/// Writes the last converged state, where it has not been.
+void write_last(Recorder& recorder, Outcome& outcome) {
+  try {
+    recorder.finish(outcome.result.counters);
+  } catch (const MachineError& e) {
+    outcome.end_by(e);
+    outcome.written = false;
+  }
+}
+
+/// Printed. Verdicts of a run that stopped have failed, for they speak of its end.
+std::vector<Verdict> judge(const Model& m, const scene::State& state, bool converged,
+                           Progress& progress) {
   auto verdicts = verify(m, state);
-  if (facts.converged)
+  if (converged)
     print_verdicts(progress, verdicts);
   else
     for (Verdict& v : verdicts)
       v.ok = false;
-  write_summary(m, state, facts, verdicts, summary);
+  return verdicts;
 }
 
 /// Those of the solver's methods that did anything.
@@ -152,26 +212,30 @@ void say_what_linear_solves_cost(const std::vector<solver::LinearUse>& used, Pro
                               use.failures > 0 ? fmt::format("  failed on {}", use.failures) : ""));
 }
 
-void say_how_it_ended(const Model& m, const solver::LoadResult& result, double seconds,
+void say_how_it_ended(const Model& m, const Outcome& outcome, double seconds,
                       const std::string& file, Progress& progress) {
+  const solver::LoadResult& result = outcome.result;
   if (result.converged)
     progress.line(fmt::format("converged: {} steps, {} Newton iterations, {:.2f} s; results in {}",
                               result.counters.steps, result.counters.newton_iterations, seconds,
                               file));
   else if (m.comm.is_root())
-    fmt::print(stderr,
-               "abut: stopped at t = {:.6g} of {:.6g}: {}{}\nEverything up to there is in {}\n",
-               result.t, m.deck.time.end, result.reason, changes_at(m, result.t), file);
+    fmt::print(stderr, "abut: stopped at t = {:.6g} of {:.6g}: {}\n{} is in {}\n", result.t,
+               m.deck.time.end, result.reason,
+               outcome.written ? "Everything up to there" : "What could be written", file);
 }
 
 int run(const RunOptions& options) {
   const Comm comm(MPI_COMM_WORLD);
   const auto start = std::chrono::steady_clock::now();
   create_folder(comm, options.output_dir);
+  if (!options.summary.empty())
+    comm.on_root([&] { protect_from_summary(options.summary); });
   const auto model = build_model(comm, options.deck);
   Model& m = *model;
   const std::string stem = output_stem(m.deck, options.output_dir);
-  protect_mesh(m, stem);
+  protect_files(m, stem);
+  const RunLock lock(comm, stem + ".exo"), summary_lock(comm, options.summary);
   Progress progress(comm.is_root(), options.quiet, comm.size() > 1, m.deck.time.end);
 
   Vector x(m.equations->dofs().map());
@@ -183,18 +247,30 @@ int run(const RunOptions& options) {
   if (m.deck.dynamics.active)
     scene::start_motion(m.deck, m, *linear, x);
   Recorder recorder(m, stem, progress, x);
-  const solver::LoadResult result = solve(m, system, *linear, x, progress, recorder);
-  recorder.finish(result.counters);
+  Outcome outcome = solve(m, system, *linear, x, progress, recorder);
+  solver::LoadResult& result = outcome.result;
+  write_last(recorder, outcome);
+  if (!result.converged && !outcome.machine)
+    result.reason += why_stopped(m, recorder, result);
+  for (const std::string& warning : recorder.watch().warnings(m, result.converged))
+    progress.warning(warning);
 
   RunFacts facts;
   facts.converged = result.converged;
+  facts.reason = result.reason;
+  facts.warnings = progress.warnings();
   facts.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   facts.linear = used_methods(*linear);
   say_what_linear_solves_cost(facts.linear, progress);
-  conclude(m, recorder.state(), facts, options.summary, progress);
-  say_how_it_ended(m, result, facts.wall_seconds, recorder.path(), progress);
-  return result.converged ? 0 : 1;
+  const auto verdicts = judge(m, recorder.state(), result.converged, progress);
+  say_how_it_ended(m, outcome, facts.wall_seconds, recorder.path(), progress);
+  write_summary(m, recorder.state(), facts, verdicts, options.summary);
+  const bool verified =
+      std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.ok; });
+  if (!result.converged)
+    return outcome.machine ? ExitStatus::machine : ExitStatus::stopped;
+  return verified || !options.strict_verify ? ExitStatus::converged : ExitStatus::unverified;
 }
 
 } // namespace
@@ -205,7 +281,9 @@ void add_run_command(CLI::App& app, int& status) {
   command->add_option("DECK", options->deck, "YAML or XML deck")->required();
   command->add_option("--summary", options->summary, "Write what the run found and spent as JSON");
   command->add_option("--output-dir", options->output_dir, "Folder of the results");
-  command->add_flag("--quiet", options->quiet, "Print errors only");
+  command->add_flag("--quiet", options->quiet, "Print errors and failed comparisons only");
+  command->add_flag("--strict-verify", options->strict_verify,
+                    "End with status 4 when a comparison of 'verify' fails");
   command->callback([options, &status] { status = run(*options); });
 }
 

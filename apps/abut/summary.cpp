@@ -2,6 +2,7 @@
 #include "summary.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -136,6 +137,9 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
     json["rigid_bodies"] = rigid_json(m, s);
   if (!m.joints.empty())
     json["joints"] = joints_json(m, s);
+  json["warnings"] = facts.warnings;
+  if (!facts.converged)
+    json["reason"] = facts.reason;
   for (const Verdict& v : verdicts)
     json["verify"].push_back({{"name", v.name},
                               {"value", v.value},
@@ -144,9 +148,10 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                               {"ok", v.ok}});
   m.comm.on_root([&] {
     std::ofstream out(file);
-    out << json.dump(2) << '\n';
-    if (!out)
-      throw InputError("cannot write the summary '" + file + "'");
+    // Names from a mesh may be in any encoding.
+    out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    if (!out.flush())
+      throw MachineError("cannot write the summary '" + file + "': is the disk full?");
   });
 }
 

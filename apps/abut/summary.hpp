@@ -12,12 +12,14 @@ namespace abut::app {
 
 struct RunFacts {
   bool converged = false;
+  std::string reason; ///< of a run that stopped
+  std::vector<std::string> warnings;
   double wall_seconds = 0.0;
   std::vector<solver::LinearUse> linear; ///< those of the methods that were used
 };
 
 /// Writes the summary object of the outside contract; nothing when `file` is empty. Times are the
-/// largest over the ranks, memory is the sum. Collective. Throws InputError when it cannot write.
+/// largest over the ranks, memory is the sum. Collective. Throws MachineError when it cannot write.
 void write_summary(const Model& model, const scene::State& state, const RunFacts& facts,
                    const std::vector<Verdict>& verdicts, const std::string& file);
 

@@ -20,7 +20,7 @@ GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in",
           "pair_force_z"]
 SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "extrapolated_steps", "newton_iterations", "augmentations",
            "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
-           "contact", "energy", "verify"]
+           "contact", "energy", "verify", "warnings"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
            "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",
@@ -151,6 +151,19 @@ class Output(unittest.TestCase):
                 np.testing.assert_array_equal(nodes.setdefault(node, x), x)
         self.assertEqual(sorted(elements), sorted(self.mesh.element_map))
         self.assertEqual(sorted(nodes), sorted(self.mesh.node_map))
+
+    def test_more_ranks_than_elements(self):
+        deck = scenes.merged(DECK, {"mesh": {"file": None, "generate": {
+            "kind": "blocks", "lower_divisions": [1, 1, 1], "upper_divisions": [1, 1, 1]}},
+            "output": {"files": "per_rank"}})
+        run = scenes.run(deck, ranks=4)
+        self.assertEqual(len(run.result_files), 4)
+        elements = []
+        for path in run.result_files:
+            with netCDF4.Dataset(path) as part:
+                np.testing.assert_array_equal(part["time_whole"][:], self.run_.fields.times)
+                elements.append(len(part.dimensions["num_elem"]) if "num_elem" in part.dimensions else 0)
+        self.assertEqual(sorted(elements), [0, 0, 1, 1])
 
     def test_vtk_opens_it(self):
         from vtkmodules.util.numpy_support import vtk_to_numpy

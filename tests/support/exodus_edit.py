@@ -69,7 +69,8 @@ def read(path):
 
 def _put_names(data, variable, dimension, words):
     data.createVariable(variable, "S1", (dimension, "len_name"))
-    data[variable][:] = np.array([list(word.ljust(33, "\0")) for word in words], dtype="S1")
+    length = len(data.dimensions["len_name"])
+    data[variable][:] = np.array([list(word.ljust(length, "\0")) for word in words], dtype="S1")
 
 
 def _put(data, variable, dimensions, values, kind="i4"):
@@ -77,20 +78,25 @@ def _put(data, variable, dimensions, values, kind="i4"):
     data[variable][:] = values
 
 
-def _put_ids(data, prefix, dimension, words, ids):
-    _put(data, prefix + "_status", (dimension,), np.ones(len(words)))
+def _put_ids(data, prefix, dimension, words, ids, sizes=None):
+    """sizes: of sets, those without members having neither dimension nor variable."""
+    _put(data, prefix + "_status", (dimension,), np.ones(len(words)) if sizes is None else np.sign(sizes))
     _put(data, prefix + "_prop1", (dimension,), ids)
     data[prefix + "_prop1"].setncattr("name", "ID")
     _put_names(data, prefix + "_names", dimension, words)
 
 
 def write(path, mesh):
+    """Names beyond 32 characters are written as other programs do, without maximum_name_length."""
+    longest = max(len(word) for word in [*mesh.node_sets, *mesh.side_sets, *(b.name for b in mesh.blocks)])
+    length = max(longest, 32) + 1
     with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as data:
         data.setncatts({"api_version": np.float32(8.03), "version": np.float32(8.03),
                         "floating_point_word_size": np.int32(8), "file_size": np.int32(1),
-                        "maximum_name_length": np.int32(32), "int64_status": np.int32(0),
-                        "title": "test"})
-        for name, size in (("len_string", 33), ("len_line", 81), ("len_name", 33), ("four", 4),
+                        "int64_status": np.int32(0), "title": "test"})
+        if length == 33:
+            data.setncattr("maximum_name_length", np.int32(32))
+        for name, size in (("len_string", 33), ("len_line", 81), ("len_name", length), ("four", 4),
                            ("time_step", None), ("num_dim", 3), ("num_nodes", len(mesh.x)),
                            ("num_elem", mesh.num_elements), ("num_el_blk", len(mesh.blocks))):
             data.createDimension(name, size)
@@ -112,15 +118,21 @@ def write(path, mesh):
         if mesh.node_sets:
             data.createDimension("num_node_sets", len(mesh.node_sets))
             _put_ids(data, "ns", "num_node_sets", list(mesh.node_sets),
-                     np.arange(len(mesh.node_sets)) + 1)
+                     np.arange(len(mesh.node_sets)) + 1,
+                     [len(nodes) for nodes in mesh.node_sets.values()])
         for i, nodes in enumerate(mesh.node_sets.values(), 1):
+            if not len(nodes):
+                continue
             data.createDimension(f"num_nod_ns{i}", len(nodes))
             _put(data, f"node_ns{i}", (f"num_nod_ns{i}",), nodes + 1)
         if mesh.side_sets:
             data.createDimension("num_side_sets", len(mesh.side_sets))
             _put_ids(data, "ss", "num_side_sets", list(mesh.side_sets),
-                     np.arange(len(mesh.side_sets)) + 1)
+                     np.arange(len(mesh.side_sets)) + 1,
+                     [len(sides) for _, sides in mesh.side_sets.values()])
         for i, (elements, sides) in enumerate(mesh.side_sets.values(), 1):
+            if not len(sides):
+                continue
             data.createDimension(f"num_side_ss{i}", len(elements))
             _put(data, f"elem_ss{i}", (f"num_side_ss{i}",), elements + 1)
             _put(data, f"side_ss{i}", (f"num_side_ss{i}",), sides + 1)

@@ -111,6 +111,24 @@ class Cubes(unittest.TestCase):
         numpy.testing.assert_allclose(uz[LOWER_TOP], below, rtol=0, atol=1e-10)
         numpy.testing.assert_allclose(uz[UPPER_BOTTOM], above, rtol=0, atol=1e-10)
 
+    def test_names_fit_the_deck(self):
+        deck = self.imported(cubes().replace('"touch"', '"' + 230 * "t" + '"'))
+        self.assertIn("\n  " + 190 * "t" + ":", deck.read_text())
+
+    def test_what_was_not_imported_stays(self):
+        self.imported(cubes())
+        self.imported(cubes())  # once more
+        for name, what in (("cubes.yaml", "the imported deck would overwrite"),
+                           ("cubes.exo", "the mesh would overwrite")):
+            whole = (self.folder / name).read_bytes()
+            (self.folder / name).write_text("title: mine\n")
+            status, output = scenes.execute([scenes.EXECUTABLE, "import", str(self.folder / "cubes.feb"),
+                                             "--output-dir", str(self.folder)], 60)
+            self.assertEqual(status, 2, output)
+            self.assertIn(f"abut: {what} '{self.folder / name}', which ", output)
+            self.assertEqual((self.folder / name).read_text(), "title: mine\n")
+            (self.folder / name).write_bytes(whole)
+
     def test_two_passes_between_unequal_cubes(self):
         result = self.run_cubes(cubes())
         self.assertEqual(set(result.summary["contact"]), {"touch", "touch_second_pass"})

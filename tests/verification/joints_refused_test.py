@@ -42,7 +42,7 @@ class Refused(Scene):
                     {"verify": {"v": scenes.probe("joint_rotation", "pn")}})
 
     def test_what_a_joint_leaves_free_is_told(self):
-        self.expect(r"body 'link' is free to move: rotation about z\.",
+        self.expect(r"body 'link' is free to move: rotation about z through \(.*, 0\)\.",
                     {"joints": {"pin": {"rotation": None}}})
 
     def test_joints_that_contradict_each_other(self):

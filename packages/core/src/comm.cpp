@@ -2,9 +2,11 @@
 #include "abut/core/comm.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 namespace abut {
 
@@ -117,7 +119,7 @@ Comm::exchange_bytes(const std::vector<std::vector<char>>& send) const {
 }
 
 void Comm::together(const std::function<void()>& work) const {
-  enum Kind : Global { none = 0, defect = 1, solve = 2, input = 3 };
+  enum Kind : Global { none = 0, defect = 1, solve = 2, input = 3, machine = 4 };
   Global kind = none;
   std::string message;
   try {
@@ -126,6 +128,10 @@ void Comm::together(const std::function<void()>& work) const {
     kind = input, message = e.what();
   } catch (const SolveError& e) {
     kind = solve, message = e.what();
+  } catch (const MachineError& e) {
+    kind = machine, message = e.what();
+  } catch (const std::bad_alloc&) {
+    kind = machine, message = out_of_memory;
   } catch (const std::exception& e) {
     kind = defect, message = e.what();
   }
@@ -134,6 +140,8 @@ void Comm::together(const std::function<void()>& work) const {
     return;
   const Global speaker = -max(kind == worst ? Global(-rank_) : Global(-size_));
   broadcast(message, static_cast<int>(speaker));
+  if (worst == machine)
+    throw MachineError(message);
   if (worst == input)
     throw InputError(message);
   if (worst == solve)

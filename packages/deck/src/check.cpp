@@ -19,6 +19,7 @@ public:
   explicit ReferenceCheck(const Deck& deck) : deck_(deck) {}
 
   void run() const {
+    lengths();
     bodies();
     for (const auto& joint : deck_.joints)
       this->joint("joints." + joint.name, joint);
@@ -49,6 +50,20 @@ private:
       return;
     fail(path, "'" + word + "' is not a name under " + section + "; " +
                    nearest_word_hint(word, names.data(), names.size()));
+  }
+
+  /// Variables of the results are called after these, and NetCDF has 256 characters.
+  void lengths() const {
+    constexpr std::size_t longest = 200;
+    const auto check = [&](const char* section, const auto& list) {
+      for (const auto& item : list)
+        if (item.name.size() > longest)
+          fail(section + item.name, "the name has " + std::to_string(item.name.size()) +
+                                        " characters, expected at most " + std::to_string(longest));
+    };
+    check("bodies.", deck_.bodies);
+    check("joints.", deck_.joints);
+    check("contact.", deck_.contact);
   }
 
   void curve(const std::string& path, const std::string& word, const char* key = ".curve") const {

@@ -6,6 +6,7 @@
 #include "check.hpp"
 #include "describe.hpp"
 #include "filler.hpp"
+#include "utf8.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,7 @@ Deck make_deck(const Value& top, const std::string& file) {
 }
 
 Deck parse_deck(const std::string& text, const std::string& file) {
+  require_utf8(text, file);
   return make_deck(parse(text, file), file);
 }
 

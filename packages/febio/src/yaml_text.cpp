@@ -76,6 +76,8 @@ std::string DeckNames::make(const std::string& name, const std::string& otherwis
     else if (!base.empty() && base.back() != '_')
       base += '_';
   }
+  constexpr std::size_t longest = 190; // decks take 200, and a number may follow
+  base.resize(std::min(base.size(), longest));
   while (!base.empty() && base.back() == '_')
     base.pop_back();
   if (base.empty() || std::isdigit(static_cast<unsigned char>(base[0])))

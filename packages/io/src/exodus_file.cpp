@@ -2,6 +2,7 @@
 #include "exodus_file.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -13,11 +14,10 @@ namespace abut::io {
 
 namespace {
 
-/// The library's own words for its last error.
-std::string library_error() {
+/// Code and the library's own words for its last error.
+std::string library_error(int& code) {
   const char* message = nullptr;
   const char* function = nullptr;
-  int code = 0;
   ex_get_err(&message, &function, &code);
   std::string text;
   // Codes of NetCDF and of the system are small; those of Exodus itself go with the message.
@@ -26,6 +26,16 @@ std::string library_error() {
   if (message && *message)
     text += (text.empty() ? "" : "; ") + std::string(message);
   return text.empty() ? "no further information" : text;
+}
+
+std::string library_error() {
+  int code = 0;
+  return library_error(code);
+}
+
+/// NetCDF hands errors of the system on as they are, above its own, which are negative.
+bool is_of_system(int code) {
+  return code == ENOSPC || code == EDQUOT || code == EFBIG || code == EIO || code == ENOMEM;
 }
 
 } // namespace
@@ -47,9 +57,13 @@ ExodusFile ExodusFile::open(const std::string& path) {
 ExodusFile ExodusFile::create(const std::string& path) {
   ex_opts(0);
   errno = 0;
-  if (!std::ofstream(path, std::ios::app))
-    throw InputError("'" + path +
-                     "' cannot be written: " + (errno ? std::strerror(errno) : "unknown reason"));
+  if (!std::ofstream(path, std::ios::app)) {
+    const std::string what =
+        "'" + path + "' cannot be written: " + (errno ? std::strerror(errno) : "unknown reason");
+    if (is_of_system(errno))
+      throw MachineError(what);
+    throw InputError(what);
+  }
   int word = sizeof(double), file_word = sizeof(double);
   const int id =
       ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL | EX_ALL_INT64_API, &word, &file_word);
@@ -64,8 +78,13 @@ ExodusFile::~ExodusFile() {
 }
 
 void ExodusFile::check(int status, const char* action) const {
-  if (status < 0)
-    fail(std::string("cannot ") + action + ": " + library_error());
+  if (status >= 0)
+    return;
+  int code = 0;
+  const std::string what = std::string("cannot ") + action + ": " + library_error(code);
+  if (is_of_system(code))
+    throw MachineError("file '" + path_ + "': " + what);
+  fail(what);
 }
 
 void ExodusFile::fail(const std::string& what) const {

@@ -23,7 +23,8 @@ public:
   int id() const { return id_; }
   const std::string& path() const { return path_; }
 
-  /// Throws InputError with the library's error text when a call failed (status < 0).
+  /// Throws with the library's error text when a call failed (status < 0): MachineError where the
+  /// system has refused it (disk full), else InputError.
   void check(int status, const char* action) const;
   [[noreturn]] void fail(const std::string& what) const;
 

@@ -14,9 +14,9 @@ namespace {
 std::string name_of(const ExodusFile& file, ex_entity_type type, std::int64_t id,
                     const char* fallback) {
   std::vector<char> name(257, '\0');
-  const int length = static_cast<int>(ex_inquire_int(file.id(), EX_INQ_DB_MAX_USED_NAME_LENGTH));
-  if (length > 0)
-    ex_set_max_name_length(file.id(), std::min(std::max(length, 32), 255));
+  // The longest that there may be: not all programs note the longest that there is.
+  const int length = static_cast<int>(ex_inquire_int(file.id(), EX_INQ_DB_MAX_ALLOWED_NAME_LENGTH));
+  ex_set_max_name_length(file.id(), std::min(std::max(length, 32), 255));
   if (ex_get_name(file.id(), type, id, name.data()) < 0 || name[0] == '\0')
     return fallback + std::to_string(id);
   return name.data();

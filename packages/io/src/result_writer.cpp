@@ -132,8 +132,10 @@ ResultWriter::ResultWriter(const std::string& stem, const mesh::Mesh& mesh,
     w.create(part);
     if (!w.one)
       put_parallel_info(*w.file, mesh, block_counts);
-    put_names(*w.file, EX_NODAL, names.nodal);
-    put_names(*w.file, EX_ELEM_BLOCK, names.element);
+    if (!part.x.empty()) // Exodus refuses fields where there is nothing to carry them
+      put_names(*w.file, EX_NODAL, names.nodal);
+    if (part.num_elements() > 0)
+      put_names(*w.file, EX_ELEM_BLOCK, names.element);
     put_names(*w.file, EX_GLOBAL, names.global);
     w.file->check(ex_update(w.file->id()), "write to the disk");
   });

@@ -5,6 +5,11 @@
 #include "abut/contact/passes.hpp"
 #include "abut/mesh/surface.hpp"
 
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+#include <limits>
+
 namespace abut::scene {
 
 namespace {
@@ -32,6 +37,38 @@ std::vector<char> prescribed_directions(const mesh::Mesh& mesh,
   return result;
 }
 
+/// E_n A / V of the softest faces behind either surface [pressure/length]; infinite: both are
+/// rigid. Collective.
+double softest_face(const Comm& comm, const mesh::Surface& primary,
+                    const mesh::Surface& secondary) {
+  double softest = std::numeric_limits<double>::infinity();
+  for (const mesh::Surface* s : {&primary, &secondary})
+    for (std::size_t f = 0; f < s->modulus.size(); ++f)
+      if (s->modulus[f] > 0.0)
+        softest = std::min(softest, s->modulus[f] * s->inverse_depth[f]);
+  return comm.min(softest);
+}
+
+/// A penalty far beyond the stiffness of the bodies leaves nothing of them in sums of 16 digits:
+/// refused where that is so, named where it costs digits. Factors of curves do not count.
+void check_penalty(const contact::ContactOptions& given, const std::function<double()>& softest,
+                   const Where& where, std::vector<std::string>& warnings) {
+  constexpr double costly = 1e7, hopeless = 1e11;
+  const double factor =
+      given.penalty ? *given.penalty / softest() : given.penalty_factor.value_or(1.0);
+  if (!(factor > costly))
+    return;
+  const std::string path =
+      "contact." + given.name + (given.penalty ? ".penalty" : ".penalty_factor");
+  const std::string text =
+      fmt::format("{:g} is {:.2g} times the stiffness E A/V of the elements behind the surfaces",
+                  given.penalty.value_or(factor), factor);
+  if (factor > hopeless)
+    throw InputError(where(path) + ": " + text +
+                     ", of which rounding leaves nothing; 10 to 1000 times is usual");
+  warnings.push_back(path + ": " + text + "; rounding may cost digits of the results");
+}
+
 } // namespace
 
 std::vector<std::shared_ptr<contact::Interaction>>
@@ -48,6 +85,10 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
   };
   std::vector<std::shared_ptr<contact::Interaction>> result;
   for (const contact::ContactOptions& given : options.contact) {
+    const auto softest = [&] {
+      return softest_face(mesh.comm, surface(given.primary), surface(given.secondary));
+    };
+    check_penalty(given, softest, where, warnings);
     try {
       const contact::Passes passes = contact::make_passes(
           mesh.comm, surface(given.primary), surface(given.secondary), given, timers, host);

@@ -49,6 +49,59 @@ void require_name(const Where& where, const std::string& path, const std::string
                    nearest_word_hint(name, valid.data(), valid.size()));
 }
 
+void name_blocks(Options& options, const mesh::Mesh& mesh) {
+  const auto name = [&](std::string& word) {
+    const mesh::Block* numbered = nullptr;
+    for (const mesh::Block& b : mesh.blocks) {
+      if (b.name == word)
+        return;
+      if (std::to_string(b.id) == word)
+        numbered = &b;
+    }
+    if (numbered)
+      word = numbered->name;
+  };
+  for (BodyOptions& body : options.bodies)
+    for (std::string& block : body.blocks)
+      name(block);
+  for (solid::LoadOptions& load : options.loads)
+    if (load.kind == solid::LoadKind::body_force)
+      name(load.place);
+}
+
+void require_nodes(const Where& where, const std::string& path, const std::string& set,
+                   const mesh::Mesh& mesh) {
+  const std::vector<Local> nodes = nodes_of_set(mesh, set);
+  const auto owned =
+      std::count_if(nodes.begin(), nodes.end(), [&](Local n) { return n < mesh.num_owned; });
+  if (mesh.comm.sum(Global(owned)) == 0)
+    throw InputError(where(path) + ": '" + set + "' of the mesh is empty");
+}
+
+void check_not_empty(const Options& options, const mesh::Mesh& mesh, const Where& where) {
+  for (const auto& b : options.bodies)
+    for (const std::string& set : b.node_sets)
+      require_nodes(where, "bodies." + b.name + ".node_sets", set, mesh);
+  for (const auto& d : options.displacements)
+    require_nodes(where, "displacements." + d.name + ".set", d.set, mesh);
+  for (const auto& l : options.loads) {
+    const std::string path = "loads." + l.name;
+    if (l.kind == solid::LoadKind::force) {
+      require_nodes(where, path + ".node_set", l.place, mesh);
+      continue;
+    }
+    const bool in_block = l.kind == solid::LoadKind::body_force;
+    Global members = 0;
+    for (const mesh::Block& b : mesh.blocks)
+      members += in_block && b.name == l.place ? b.size() : 0;
+    if (!in_block)
+      members = Global(mesh.side_sets.at(l.place).size());
+    if (mesh.comm.sum(members) == 0)
+      throw InputError(where(path + (in_block ? ".block" : ".side_set")) + ": '" + l.place +
+                       "' of the mesh is empty");
+  }
+}
+
 void check_names(const Options& options, const mesh::Mesh& mesh, const Where& where) {
   std::vector<std::string> blocks;
   for (const mesh::Block& b : mesh.blocks)

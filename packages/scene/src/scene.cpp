@@ -132,6 +132,7 @@ Scene build_scene(const Options& options, std::shared_ptr<const mesh::Mesh> shar
   const mesh::Mesh& mesh = *s.mesh;
   mesh.comm.together([&] {
     check_names(options, mesh, where);
+    check_not_empty(options, mesh, where); // sums are the same on all ranks
     s.body_of_block = assign_blocks(options, mesh, where);
     s.material = make_materials(options, s.body_of_block);
     check_conflicts(options, mesh, where);

@@ -2,13 +2,13 @@
 #include "abut/scene/supports.hpp"
 
 #include "abut/core/error.hpp"
+#include "free_motions.hpp"
 #include "pieces.hpp"
 #include "symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace abut::scene {
 
@@ -23,20 +23,13 @@ struct Cluster {
   std::vector<double> gram; ///< (6 pieces)^2
 };
 
-/// Motion along `direction` at x in each rigid mode.
-Mode row(const Vec3& direction, const Vec3& x, const Piece& piece) {
-  const Vec3 turn = (1.0 / piece.size) * cross(x - piece.center, direction);
-  return {direction[0], direction[1], direction[2], turn[0], turn[1], turn[2]};
-}
-
-std::string describe(std::size_t mode) {
-  const std::string axis(1, "xyz"[mode % 3]);
-  return (mode < 3 ? "translation along " : "rotation about ") + axis;
-}
-
-Vec3 position(const mesh::Mesh& mesh, Local n) {
-  const double* x = &mesh.x[3 * std::size_t(n)];
-  return {{x[0], x[1], x[2]}};
+Vec3 position(const mesh::Mesh& mesh, Local n, const std::vector<double>* u) {
+  Vec3 x;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t at = 3 * std::size_t(n) + std::size_t(i);
+    x[i] = mesh.x[at] + (u ? (*u)[at] : 0.0);
+  }
+  return x;
 }
 
 Vec3 unit(int i) {
@@ -48,8 +41,10 @@ Vec3 unit(int i) {
 /// What may move, how it hangs together and what holds it. The same on all ranks.
 class Supports {
 public:
-  Supports(const Options& options, const Scene& scene)
-      : options_(options), s_(scene), pieces_(options, scene), cluster_of_(pieces_.size()) {
+  Supports(const Options& options, const Scene& scene, const SupportedAt& at)
+      : options_(options), s_(scene), at_(at), pieces_(options, scene),
+        cluster_of_(pieces_.size()) {
+    find_centers();
     for (std::vector<std::size_t>& pieces : pieces_.clusters()) {
       for (std::size_t i = 0; i < pieces.size(); ++i)
         cluster_of_[pieces[i]] = {clusters_.size(), i};
@@ -60,7 +55,8 @@ public:
     prescribed();
     shared_nodes();
     joints();
-    contact();
+    if (at_.contact)
+      contact();
     for (Cluster& c : clusters_)
       comm().sum(c.gram.data(), static_cast<int>(c.gram.size()));
   }
@@ -68,49 +64,73 @@ public:
   std::vector<FreePiece> free() const {
     std::vector<FreePiece> result;
     for (const Cluster& cluster : clusters_) {
-      const std::size_t n = 6 * cluster.pieces.size();
-      std::vector<double> gram = cluster.gram;
-      double trace = 0.0;
-      for (std::size_t i = 0; i < n; ++i)
-        trace += gram[(n + 1) * i];
-      const std::vector<double> vectors = symmetric_eigen(gram, n);
-      std::map<std::size_t, FreePiece> found;
-      for (std::size_t j = 0; j < n; ++j) {
-        if (gram[(n + 1) * j] > 1e-10 * trace)
-          continue;
-        const std::size_t largest = name_giver(cluster, vectors, j);
-        const Piece& piece = pieces_[cluster.pieces[largest / 6]];
-        FreePiece& free = found[largest / 6];
-        free.body = options_.bodies[std::size_t(piece.body)].name;
-        free.motions.push_back(describe(largest % 6));
-      }
-      for (const auto& entry : found)
-        result.push_back(entry.second);
+      std::vector<Motion> motions = free_motions(cluster);
+      // What hangs on a rigid body moves with it: those speak first.
+      for (const bool rigid : {true, false})
+        for (std::size_t i = 0; i < cluster.pieces.size() && !motions.empty(); ++i) {
+          const std::size_t piece = cluster.pieces[i];
+          if (pieces_.is_rigid(piece) != rigid)
+            continue;
+          const std::vector<Twist> own = take_motions(i, motions);
+          if (!own.empty())
+            result.push_back({options_.bodies[std::size_t(pieces_[piece].body)].name,
+                              describe_motions(own, center_[piece], pieces_[piece].size)});
+        }
     }
     return result;
   }
 
 private:
-  /// The largest component of a motion: that of a rigid body where one moves, since what hangs on
-  /// it turns about its center and not about its own.
-  std::size_t name_giver(const Cluster& cluster, const std::vector<double>& vectors,
-                         std::size_t motion) const {
-    constexpr double moves = 1e-3;
+  using Motion = std::vector<double>; ///< modes of all pieces of a cluster, 6 each
+
+  /// An orthonormal basis of what nothing holds.
+  static std::vector<Motion> free_motions(const Cluster& cluster) {
+    constexpr double held = 1e-10; // of the trace
     const std::size_t n = 6 * cluster.pieces.size();
-    std::size_t largest = 0, of_body = 0;
-    double size = 0.0, body_size = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double component = std::fabs(vectors[n * i + motion]);
-      if (component > size + 1e-9) {
-        size = component;
-        largest = i;
-      }
-      if (pieces_.is_rigid(cluster.pieces[i / 6]) && component > body_size + 1e-9) {
-        body_size = component;
-        of_body = i;
-      }
+    std::vector<double> gram = cluster.gram;
+    double trace = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      trace += gram[(n + 1) * i];
+    const std::vector<double> vectors = symmetric_eigen(gram, n);
+    std::vector<Motion> motions;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (gram[(n + 1) * j] > held * trace)
+        continue;
+      Motion& motion = motions.emplace_back();
+      for (std::size_t i = 0; i < n; ++i)
+        motion.push_back(vectors[n * i + j]);
     }
-    return body_size > moves ? of_body : largest;
+    return motions;
+  }
+
+  /// What the i-th piece of a cluster can do, orthonormal; leaves the motions in which it rests.
+  static std::vector<Twist> take_motions(std::size_t i, std::vector<Motion>& motions) {
+    constexpr double moves = 1e-3;
+    const std::size_t n = motions.size();
+    std::vector<double> gram(n * n, 0.0);
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b)
+        for (std::size_t k = 6 * i; k < 6 * i + 6; ++k)
+          gram[n * a + b] += motions[a][k] * motions[b][k];
+    const std::vector<double> vectors = symmetric_eigen(gram, n);
+    std::vector<Twist> own;
+    std::vector<Motion> rest;
+    for (std::size_t j = 0; j < n; ++j) {
+      Motion sum(motions[0].size(), 0.0);
+      for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t k = 0; k < sum.size(); ++k)
+          sum[k] += vectors[n * a + j] * motions[a][k];
+      const double size = std::sqrt(std::max(0.0, gram[(n + 1) * j]));
+      if (size < moves) {
+        rest.push_back(std::move(sum));
+        continue;
+      }
+      const double* m = &sum[6 * i];
+      own.push_back(
+          {{{m[0] / size, m[1] / size, m[2] / size}}, {{m[3] / size, m[4] / size, m[5] / size}}});
+    }
+    motions = std::move(rest);
+    return own;
   }
 
   static constexpr std::size_t none = Pieces::none;
@@ -132,15 +152,32 @@ private:
   }
   void hold(std::size_t piece, const Vec3& direction, const Vec3& x) {
     if (piece != none)
-      add({{piece, row(direction, x, pieces_[piece])}});
+      add({{piece, row(piece, direction, x)}});
   }
 
-  /// Displacements and components of bodies that are prescribed in the first step.
+  /// Motion along `direction` at x in each rigid mode of a piece.
+  Mode row(std::size_t piece, const Vec3& direction, const Vec3& x) const {
+    const Vec3 turn = (1.0 / pieces_[piece].size) * cross(x - center_[piece], direction);
+    return {direction[0], direction[1], direction[2], turn[0], turn[1], turn[2]};
+  }
+
+  /// Those of rigid bodies move with them.
+  void find_centers() {
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      center_.push_back(pieces_[p].center);
+    if (!at_.u)
+      return;
+    const std::vector<rigid::BodyState> states = s_.equations->body_states();
+    for (std::size_t b = 0; b < states.size(); ++b)
+      if (pieces_.of_body(int(b)) != none)
+        center_[pieces_.of_body(int(b))] += states[b].displacement;
+  }
+
+  /// Displacements and components of bodies that are prescribed.
   void prescribed() {
-    const double first = options_.time.end / options_.time.steps;
     for (const assembly::Constraint& c : s_.constraints)
-      if (c.window.holds(first))
-        hold(pieces_.mover(c.node), unit(c.field), position(*s_.mesh, c.node));
+      if (c.window.holds(at_.t))
+        hold(pieces_.mover(c.node), unit(c.field), position(*s_.mesh, c.node, at_.u));
     if (!comm().is_root())
       return;
     for (std::size_t b = 0; b < s_.rigid_bodies.size(); ++b) {
@@ -151,7 +188,7 @@ private:
         if (body.prescribed[i])
           hold_component(b, i);
       for (const rigid::Hold& held : body.holds)
-        if (held.window.holds(first))
+        if (held.window.holds(at_.t))
           hold_component(b, static_cast<std::size_t>(held.component));
     }
   }
@@ -168,10 +205,10 @@ private:
       if (piece == none || s_.rigid_body_of_node[std::size_t(n)] < 0)
         continue;
       for (int i = 0; i < 3; ++i) {
-        const Vec3 x = position(*s_.mesh, n);
-        std::vector<Term> terms{{piece, row(unit(i), x, pieces_[piece])}};
+        const Vec3 x = position(*s_.mesh, n, at_.u);
+        std::vector<Term> terms{{piece, row(piece, unit(i), x)}};
         if (body != none)
-          terms.push_back({body, row(-unit(i), x, pieces_[body])});
+          terms.push_back({body, row(body, -unit(i), x)});
         add(terms);
       }
     }
@@ -212,8 +249,8 @@ private:
       const Vec3 d = (k == 0 ? -1.0 : 1.0) * direction;
       const Vec3 turn = size / pieces_[piece].size * d;
       const Vec3& x = joint.is_spring() && k == 1 ? joint.end : joint.origin;
-      terms.push_back({piece, turns ? Mode{0.0, 0.0, 0.0, turn[0], turn[1], turn[2]}
-                                    : row(d, x, pieces_[piece])});
+      terms.push_back(
+          {piece, turns ? Mode{0.0, 0.0, 0.0, turn[0], turn[1], turn[2]} : row(piece, d, x)});
     }
     if (!terms.empty())
       add(terms);
@@ -225,13 +262,16 @@ private:
     const mesh::Mesh& mesh = *s_.mesh;
     std::vector<contact::ClosedPoint> closed;
     std::vector<Global> secondary;
-    for (const auto& contact : s_.contacts)
+    for (const auto& contact : s_.contacts) {
+      if (!contact->settings().window.holds(at_.t))
+        continue;
       for (const contact::ClosedPoint& q : contact->closed_points()) {
         hold(pieces_.mover(contact->primary().field_index[std::size_t(q.primary_node)]), q.normal,
              q.x);
         closed.push_back(q);
         secondary.push_back(q.secondary_node);
       }
+    }
     std::vector<std::size_t> movers;
     for (Local n = 0; n < mesh.num_owned; ++n)
       movers.push_back(pieces_.mover(n));
@@ -245,7 +285,9 @@ private:
 
   const Options& options_;
   const Scene& s_;
+  const SupportedAt at_;
   const Pieces pieces_;
+  std::vector<Vec3> center_; ///< of each piece
   std::vector<Cluster> clusters_;
   std::vector<std::pair<std::size_t, std::size_t>> cluster_of_; ///< cluster, place in it
 };
@@ -253,7 +295,19 @@ private:
 } // namespace
 
 std::vector<FreePiece> free_pieces(const Options& options, const Scene& scene) {
-  return Supports(options, scene).free();
+  return Supports(options, scene, {options.time.end / options.time.steps}).free();
+}
+
+std::vector<FreePiece> free_pieces(const Options& options, const Scene& scene,
+                                   const SupportedAt& at) {
+  return scene.joints.empty() ? Supports(options, scene, at).free() : std::vector<FreePiece>();
+}
+
+std::string FreePiece::text() const {
+  std::string list;
+  for (const std::string& motion : motions)
+    list += (list.empty() ? "" : ", ") + motion;
+  return list;
 }
 
 void require_supports(const Options& options, const Scene& scene, const Where& where) {
@@ -263,11 +317,8 @@ void require_supports(const Options& options, const Scene& scene, const Where& w
   bool rigid = false;
   for (const auto& body : options.bodies)
     rigid = rigid || (body.name == free[0].body && body.rigid);
-  std::string list;
-  for (const std::string& motion : free[0].motions)
-    list += (list.empty() ? "" : ", ") + motion;
   throw InputError(where("bodies." + free[0].body) + ": body '" + free[0].body +
-                   "' is free to move: " + list + ". Hold it with " +
+                   "' is free to move: " + free[0].text() + ". Hold it with " +
                    (rigid ? "prescribed components (those not listed as 'free'), with 'joints'"
                           : "'displacements'") +
                    ", or start it in closed contact");

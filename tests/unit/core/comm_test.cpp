@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/comm.hpp"
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 
 #include <gtest/gtest.h>
+#include <new>
 
 using namespace abut;
 
@@ -45,6 +47,11 @@ TEST(Comm, AnErrorOnOneRankReachesAll) {
     EXPECT_STREQ(e.what(), "from the last rank");
   }
   EXPECT_THROW(comm.on_root([] { throw SolveError("root"); }), SolveError);
+  EXPECT_THROW(comm.together([&] {
+    if (comm.rank() == last)
+      throw std::bad_alloc();
+  }),
+               MachineError);
   // The user's mistake is reported before what follows from it.
   EXPECT_THROW(comm.together([&] {
     if (comm.rank() == last)

@@ -20,6 +20,17 @@ std::vector<std::string> set_names(const mesh::Mesh& mesh);
 void require_name(const Where& where, const std::string& path, const std::string& what,
                   const std::string& name, const std::vector<std::string>& valid);
 
+/// Blocks that the options call by their number get their names, unless one is called so.
+void name_blocks(Options& options, const mesh::Mesh& mesh);
+
+/// Throws InputError with where(path) when no node is in a set of the mesh. Collective.
+void require_nodes(const Where& where, const std::string& path, const std::string& set,
+                   const mesh::Mesh& mesh);
+
+/// Throws InputError where displacements, loads or rigid bodies name a set, or loads a block, that
+/// is empty. The names must be those of the mesh. Collective.
+void check_not_empty(const Options& options, const mesh::Mesh& mesh, const Where& where);
+
 /// Throws InputError where options name a block or a set that the mesh does not have.
 void check_names(const Options& options, const mesh::Mesh& mesh, const Where& where);
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "protect.hpp"
+
+#include "abut/core/error.hpp"
+#include "abut/io/file_kind.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace abut::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name(io::FileKind kind) {
+  if (kind == io::FileKind::mesh)
+    return "a mesh";
+  return kind == io::FileKind::results ? "results of a run" : "a file of another kind";
+}
+
+std::string start_of(const std::string& path) {
+  std::string start(64, '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), static_cast<long>(start.size()));
+  return start;
+}
+
+/// Summaries begin with their status.
+bool is_summary(const std::string& path) {
+  const std::string start = start_of(path);
+  const std::size_t first = start.find_first_not_of("{ \r\n\t");
+  return start[0] == '{' && first != std::string::npos &&
+         start.compare(first, 8, "\"status\"") == 0;
+}
+
+} // namespace
+
+void protect_from_results(const std::string& path) {
+  const io::FileKind kind = io::kind_of_file(path);
+  if (kind != io::FileKind::none && kind != io::FileKind::results)
+    throw InputError("the results would overwrite '" + path + "', which is " + name(kind) +
+                     "; give another --output-dir or 'output: {name: ...}'");
+}
+
+void protect_from_import(const std::string& path) {
+  const io::FileKind kind = io::kind_of_file(path);
+  if (kind != io::FileKind::none && start_of(path).rfind("# From FEBio's ", 0) != 0)
+    throw InputError(
+        "the imported deck would overwrite '" + path +
+        "', which has not been imported; give another --output-dir or remove it first");
+}
+
+void protect_from_mesh(const std::string& path) {
+  const io::FileKind kind = io::kind_of_file(path);
+  if (kind != io::FileKind::none && kind != io::FileKind::mesh)
+    throw InputError("the mesh would overwrite '" + path + "', which is " + name(kind) +
+                     "; give another name or remove it first");
+}
+
+void protect_from_summary(const std::string& path) {
+  const io::FileKind kind = io::kind_of_file(path);
+  if (kind != io::FileKind::none && !is_summary(path))
+    throw InputError("the summary would overwrite '" + path + "', which is " + name(kind) +
+                     "; give --summary another name or remove it first");
+  const bool was_there = fs::exists(path);
+  errno = 0;
+  if (fs::is_directory(path) || !std::ofstream(path, std::ios::app))
+    throw InputError("cannot write the summary '" + path +
+                     "': " + (errno ? std::strerror(errno) : "it is a folder"));
+  std::error_code ignored;
+  if (!was_there)
+    fs::remove(path, ignored);
+}
+
+} // namespace abut::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/core/comm.hpp"
+
+#include <signal.h>
+#include <vector>
+
+namespace abut::app {
+
+/// While it lives SIGINT, SIGTERM and SIGHUP are noted instead of ending the process; a second one
+/// ends it. Those ignored before, as by nohup, stay so.
+class Signals {
+public:
+  Signals();
+  ~Signals();
+  Signals(const Signals&) = delete;
+  Signals& operator=(const Signals&) = delete;
+
+  /// Throws MachineError on all ranks when any has received one. Collective.
+  void require_none(const Comm& comm) const;
+
+private:
+  struct Old {
+    int number;
+    struct sigaction action;
+  };
+  std::vector<Old> old_;
+};
+
+} // namespace abut::app

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warnings.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace abut::app {
+
+namespace {
+
+constexpr double deep = 0.5; ///< in sizes of the face
+
+}
+
+std::vector<std::string> warnings_of_start(const Model& m) {
+  std::vector<std::string> result;
+  for (const auto& c : m.contacts) {
+    const contact::Settings& settings = c->settings();
+    // A surface that may touch itself later has no partner, and sees its own back.
+    if (!c->acts() || settings.primary == settings.secondary)
+      continue;
+    const contact::ContactSummary s = c->summary();
+    const std::string path = std::string("contact.") + c->name() + ": ";
+    if (s.paired_points == 0)
+      result.push_back(path + fmt::format("at the start no point of '{}' has a partner on '{}' "
+                                          "within {:g} face sizes: are they far apart, or do they "
+                                          "face the wrong way?",
+                                          settings.primary, settings.secondary, settings.reach));
+    const double wrong = c->wrong_facing_share();
+    if (wrong > 0.0)
+      result.push_back(path + fmt::format("{:.0f}% of the points of '{}' near '{}' see its back: "
+                                          "check which way the faces point",
+                                          100.0 * wrong, settings.primary, settings.secondary));
+    if (s.max_penetration_over_face_size > deep)
+      result.push_back(path +
+                       fmt::format("'{}' and '{}' overlap at the start by up to {:.4g}, {:.2g} "
+                                   "of a face: is that meant?",
+                                   settings.primary, settings.secondary, s.max_penetration,
+                                   s.max_penetration_over_face_size));
+  }
+  return result;
+}
+
+void ContactWatch::look(const scene::State& state) {
+  ++looks_;
+  seen_.resize(state.contacts.size());
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const contact::ContactSummary& now = state.contacts[i];
+    seen_[i].touched = seen_[i].touched || now.active_points > 0;
+    seen_[i].deepest = std::max(seen_[i].deepest, now.max_penetration_over_face_size);
+  }
+}
+
+std::vector<std::string> ContactWatch::warnings(const Model& m, bool converged) const {
+  const bool has_steps = looks_ > 1; // beside the start
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const contact::Settings& settings = m.contacts[i]->settings();
+    const std::string path = std::string("contact.") + m.contacts[i]->name() + ": ";
+    if (!seen_[i].touched && has_steps && settings.window.from < m.deck.time.end)
+      result.push_back(path + fmt::format("'{}' and '{}' {}", settings.primary, settings.secondary,
+                                          converged ? "never touched in the whole run"
+                                                    : "had not touched when the run stopped"));
+    if (seen_[i].deepest > deep)
+      result.push_back(path + fmt::format("points of '{}' sank into '{}' by up to {:.2g} of their "
+                                          "face: a larger penalty or multipliers, a finer mesh, or "
+                                          "do the surfaces meet through a body?",
+                                          settings.primary, settings.secondary, seen_[i].deepest));
+  }
+  return result;
+}
+
+} // namespace abut::app

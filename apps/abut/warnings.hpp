@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "model.hpp"
+
+#include "abut/scene/state.hpp"
+
+#include <string>
+#include <vector>
+
+namespace abut::app {
+
+/// What is suspicious in the surfaces of an interface at the start: without partners, facing the
+/// wrong way, deep in each other. The equations must have been evaluated there. Collective.
+std::vector<std::string> warnings_of_start(const Model& model);
+
+/// Watches which interfaces ever touch, and how deep.
+class ContactWatch {
+public:
+  void look(const scene::State& state);
+  /// Of a run that has ended: those that never touched, though they acted; those whose points sank
+  /// so deep that their pressure means little.
+  std::vector<std::string> warnings(const Model& model, bool converged) const;
+
+private:
+  int looks_ = 0;
+  struct Seen {
+    bool touched = false;
+    double deepest = 0.0; ///< in sizes of the face
+  };
+  std::vector<Seen> seen_;
+};
+
+} // namespace abut::app
