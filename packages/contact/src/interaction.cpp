@@ -45,11 +45,11 @@ struct Interaction::Parts {
   mutable Connectivity candidates;
   long connectivity_version = 0, state_version = 0;
 
-  bool started = false;     ///< the points have their history
-  bool established = false; ///< some point was in contact at the last converged step
+  bool started = false;                ///< the points have their history
+  bool established = false;            ///< some point was in contact at the last converged step
   SolveKind solve = SolveKind::newton; ///< under way
-  int iterates = 0;         ///< taken in this solve
-  int step_iterates = 0;    ///< taken in this step
+  int iterates = 0;                    ///< taken in this solve
+  int step_iterates = 0;               ///< taken in this step
 };
 
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
@@ -401,8 +401,8 @@ bool Interaction::tear() {
 ContactSummary Interaction::summary() const {
   return summarize(parts_->data);
 }
-NodalSums Interaction::nodal_sums() const {
-  return contact::nodal_sums(parts_->data);
+NodalSums Interaction::nodal_sums(Side side) const {
+  return side == Side::primary ? primary_sums(parts_->data) : secondary_sums(parts_->data);
 }
 std::vector<PointRecord> Interaction::records() const {
   return contact::records(parts_->data);

@@ -164,6 +164,26 @@ void FacingSurface::fetch(const std::vector<double>& x_own, View<Vec3>& x) const
       std::copy_n(&arrived[r][3 * k], 3, x(receive_nodes_[r][k]).v);
 }
 
+/// A node that came from several ranks goes back to one of them.
+std::vector<double> FacingSurface::give_back(const std::vector<double>& values,
+                                             std::size_t width) const {
+  std::vector<std::vector<double>> send(std::size_t(comm_.size()));
+  std::vector<char> gone(values.size() / width, 0);
+  for (std::size_t r = 0; r < receive_nodes_.size(); ++r)
+    for (const Local n : receive_nodes_[r])
+      for (std::size_t k = 0; k < width; ++k) {
+        send[r].push_back(gone[std::size_t(n)] ? 0.0 : values[std::size_t(n) * width + k]);
+        gone[std::size_t(n)] = char(gone[std::size_t(n)] || k + 1 == width);
+      }
+  const auto arrived = comm_.exchange(send);
+  std::vector<double> sums(own_.node.size() * width, 0.0);
+  for (std::size_t r = 0; r < send_nodes_.size(); ++r)
+    for (std::size_t i = 0; i < send_nodes_[r].size(); ++i)
+      for (std::size_t k = 0; k < width; ++k)
+        sums[std::size_t(send_nodes_[r][i]) * width + k] += arrived[r][i * width + k];
+  return sums;
+}
+
 void FacingSurface::update(const std::vector<double>& x_own) {
   fetch(x_own, view_.x);
   std::vector<Box<3>> boxes;

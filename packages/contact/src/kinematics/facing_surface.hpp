@@ -13,16 +13,16 @@ namespace abut::contact {
 /// What kernels read of the secondary faces that are here. Copied by value; the arrays are shared.
 struct FacingView {
   View<fem::FaceType> face_type;
-  View<Global> face_id;        ///< ascending: the order does not depend on the partition
-  View<Local> offset;          ///< (faces+1) into face_node
-  View<Local> face_node;       ///< nodes here
-  View<Global> node;           ///< mesh node of each node here
-  View<Vec3> x, x_previous;    ///< (nodes) now, and at the last converged step [length]
-  View<double> face_size;      ///< reference [length]
-  View<double> face_modulus;   ///< 0: rigid [pressure]
+  View<Global> face_id;            ///< ascending: the order does not depend on the partition
+  View<Local> offset;              ///< (faces+1) into face_node
+  View<Local> face_node;           ///< nodes here
+  View<Global> node;               ///< mesh node of each node here
+  View<Vec3> x, x_previous;        ///< (nodes) now, and at the last converged step [length]
+  View<double> face_size;          ///< reference [length]
+  View<double> face_modulus;       ///< 0: rigid [pressure]
   View<double> face_inverse_depth; ///< [1/length]
-  double largest_size = 0.0;   ///< of all faces here [length]
-  search::Tree<3> tree;        ///< over the faces' boxes
+  double largest_size = 0.0;       ///< of all faces here [length]
+  search::Tree<3> tree;            ///< over the faces' boxes
 
   KOKKOS_INLINE_FUNCTION Local faces() const { return static_cast<Local>(face_type.extent(0)); }
   KOKKOS_INLINE_FUNCTION fem::FaceType type(Local face) const { return face_type(face); }
@@ -96,6 +96,10 @@ public:
   void update(const std::vector<double>& x_own);
   /// The current coordinates become those of the last converged step.
   void accept() { Kokkos::deep_copy(view_.x_previous, view_.x); }
+
+  /// Adds up at the own nodes what ranks have at the nodes they have collected: values (collected
+  /// nodes, width), result (own nodes, width). Collective.
+  std::vector<double> give_back(const std::vector<double>& values, std::size_t width) const;
 
   const FacingView& view() const { return view_; }
 

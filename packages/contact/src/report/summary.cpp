@@ -85,8 +85,14 @@ Tally tally(const InterfaceData& data) {
   return t;
 }
 
+/// In self-contact a node is pressed by the points around it and by those that meet its faces.
 double largest_nodal_pressure(const InterfaceData& data) {
-  NodalSums nodes = nodal_sums(data);
+  NodalSums nodes = primary_sums(data);
+  if (data.place.self_contact()) {
+    const NodalSums met = secondary_sums(data);
+    for (std::size_t n = 0; n < met.pressure.size(); ++n)
+      nodes.pressure[n] += met.pressure[n];
+  }
   data.corners.sum(nodes.weight);
   data.corners.sum(nodes.pressure);
   double most = 0.0;
