@@ -134,9 +134,10 @@ void Interaction::Parts::set_terms(double time) {
   terms.penalty = given ? scale * o.penalty : 0.0;
   terms.stiffness = given ? 0.0 : scale * data.factor * o.modulus;
   const double resolved = std::min(o.window.until.value_or(end), end);
-  terms.fade = o.initial_overlap == InitialOverlap::resolve
+  terms.fade = o.initial_overlap == InitialOverlap::adjust ? 1.0
+               : o.initial_overlap == InitialOverlap::resolve
                    ? std::max(0.0, 1.0 - (time - o.window.from) / (resolved - o.window.from))
-                   : 1.0;
+                   : 0.0;
   terms.search_hold = step_iterates >= o.segment_updates ? frozen_margin : 0.0;
 }
 
@@ -161,7 +162,7 @@ void Interaction::Parts::rest() {
   Kokkos::deep_copy(data.points.state, PointState());
   Kokkos::deep_copy(data.points.reading, SiteReading());
   if (data.nodal)
-    data.nodal->evaluate(data.primary(), data.points, data.terms.law);
+    data.nodal->evaluate(data.primary(), data.points, data.terms);
   build_pairs();
 }
 
@@ -191,7 +192,7 @@ void Interaction::Parts::evaluate_sites() {
   if (normal_law)
     apply_law(normal_law, data.points);
   if (data.terms.at_nodes)
-    data.nodal->evaluate(data.primary(), data.points, data.terms.law);
+    data.nodal->evaluate(data.primary(), data.points, data.terms);
   else
     Kokkos::parallel_for("abut::contact::decide_points", Range(0, points),
                          DecidePoints{data.primary(), data.facing(), data.points, data.terms});

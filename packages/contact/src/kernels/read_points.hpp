@@ -165,6 +165,7 @@ private:
 
   KOKKOS_INLINE_FUNCTION void read_gap(Local i, const PointState& s, SiteReading& r) const {
     r.gap = points.net_gap(i);
+    r.eased = terms.fade * points.history(i).overlap;
     r.normal = s.normal;
     r.pulls = (terms.tension && points.converged(i).in_contact) ||
               (terms.sticky && !points.history(i).torn && r.gap < terms.stick_within);
