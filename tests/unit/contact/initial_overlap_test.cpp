@@ -78,3 +78,23 @@ TEST(InitialOverlap, AnOffsetIsNotAdjusted) {
       EXPECT_NEAR(plates.pair->summary().max_penetration, closed, 1e-12);
     }
 }
+
+TEST(InitialOverlap, ATieOfRoundSurfacesStrainsNothing) {
+  for (const Formulation f : {Formulation::facet_on_facet, Formulation::sliding_elastic}) {
+    ContactOptions o;
+    o.name = "pair";
+    o.penalty = 100.0;
+    o.formulation = f;
+    o.offset = 0.01;
+    o.tied = true;
+    o.tie_distance = 1.0;
+    o.multipliers = Multipliers::per_point;
+    o.initial_gap = InitialGap::round;
+    DualScene scene(fem::FaceType::quad4, fem::FaceType::quad4, o, 0.01, 3, 0.1);
+    scene.system.evaluate(*scene.pair, false, 0.0);
+    EXPECT_GT(scene.pair->summary().active_points, 0);
+    EXPECT_GT(scene.pair->summary().facet_rise, 1e-4);
+    for (const double force : scene.system.residual)
+      EXPECT_NEAR(force, 0.0, 1e-13);
+  }
+}

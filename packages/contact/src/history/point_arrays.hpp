@@ -17,6 +17,7 @@ struct PointHistory {
   bool in_contact = false; ///< at the last converged step
   bool torn = false;       ///< a sticky point that has come off in this step
   double gap = 0.0;        ///< at the last converged step, offset not taken off [length]
+  double rise = 0.0;       ///< of the round surfaces over the faces at the start [length]
   double overlap = 0.0;    ///< at the start, see Settings::overlap_of [length]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
   double sliding = 0.0;    ///< shear force of the last step if it slipped then, else 0 [force]

@@ -19,7 +19,8 @@ void rest_tie(InterfaceData& data, Local i, const PrimaryPoint<double>& at, cons
   data.facing().coordinates(best.face, y);
   fem::FacePoint<double> on;
   fem::face_point(data.facing().type(best.face), y, best.xi, on);
-  history.rest = store_traction(at, on.x - at.x - data.settings.offset * at.normal);
+  const double offset = data.settings.offset + data.terms.rise * history.rise;
+  history.rest = store_traction(at, on.x - at.x - offset * at.normal);
   const double penalty =
       data.terms.penalty_of(data.primary(), data.facing(), data.primary().face(i), best.face);
   const Vec3 lambda = -penalty * turned_traction(history.rest, at);
@@ -39,8 +40,10 @@ void begin_point(InterfaceData& data, const PartnerSearch& search, Local i) {
   std::copy_n(best.xi, 2, iterate.near_xi);
   PointHistory& history = data.points.history(i);
   history.gap = best.gap;
-  history.overlap = o.overlap_of(best.gap);
-  const double gap = best.gap - o.offset, size = data.primary().size(data.primary().face(i));
+  history.rise = data.place.rise_between(i, best);
+  const double start = best.gap - data.terms.rise * history.rise;
+  history.overlap = o.overlap_of(start);
+  const double gap = start - o.offset, size = data.primary().size(data.primary().face(i));
   const double touching = touching_gap * size;
   history.in_contact = o.tied     ? std::fabs(gap) <= o.tie_distance * size
                        : o.sticky ? gap < o.stick_within - touching

@@ -19,7 +19,7 @@ struct ReadPoints {
     s = {};
     const PointHistory& history = points.history(i);
     const auto at = search.primary.at(i);
-    s.offset = terms.offset - terms.fade * history.overlap;
+    s.offset = terms.offset + terms.rise * history.rise - terms.fade * history.overlap;
     s.anchor = history.anchor >= 0 ? search.facing.find(history.anchor) : -1;
     if (terms.anchored_map && s.anchor >= 0 && anchored(i, at, s))
       return;

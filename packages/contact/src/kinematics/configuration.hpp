@@ -3,6 +3,7 @@
 
 #include "abut/contact/resolve.hpp"
 #include "abut/core/contribution.hpp"
+#include "kinematics/facet_rise.hpp"
 #include "kinematics/partner_search.hpp"
 
 namespace abut::contact {
@@ -32,6 +33,12 @@ public:
     return {{x[0], x[1], x[2]}};
   }
 
+  /// By how much less than their faces the round surfaces stand apart at a point with this partner.
+  double rise_between(Local point, const Partner& partner) const {
+    return rise_at(&primary_rise_[2 * std::size_t(points().face(point))], points().xi(point)) +
+           rise_at(&facing().face_rise(2 * partner.face), partner.xi);
+  }
+
   /// Moves both surfaces to where the fields have them; the first time it is where they start.
   void move(const NodalFields& fields);
   /// Brings the facing surface to the present configuration. Collective.
@@ -54,7 +61,8 @@ private:
   Comm comm_;
   Vec3 origin_;
   PrimarySurface primary_;
-  mesh::Surface secondary_; ///< relative to origin_
+  std::vector<double> primary_rise_; ///< (faces, 2)
+  mesh::Surface secondary_;          ///< relative to origin_
   FacingSurface facing_;
   bool self_, line_;
   double reach_, margin_;

@@ -21,6 +21,7 @@ struct FacingView {
   View<double> face_size;          ///< reference [length]
   View<double> face_modulus;       ///< 0: rigid [pressure]
   View<double> face_inverse_depth; ///< [1/length]
+  View<double> face_rise;          ///< (faces,2) facet_rises [length]
   double largest_size = 0.0;       ///< of all faces here [length]
   search::Tree<3> tree;            ///< over the faces' boxes
 
@@ -84,7 +85,7 @@ private:
 class FacingSurface {
 public:
   /// own: the secondary faces that this rank owns; it must outlive the object. reach: see
-  /// ContactOptions.
+  /// ContactOptions. Collective.
   FacingSurface(const Comm& comm, const mesh::Surface& own, double reach);
 
   /// Fetches the faces that come within `wanted` (boxes of this rank's primary faces, inflated by
@@ -112,6 +113,7 @@ private:
   Comm comm_;
   const mesh::Surface& own_;
   double reach_;
+  std::vector<double> rise_;                      ///< (own faces, 2)
   std::vector<std::vector<Local>> send_nodes_;    ///< per rank: own surface nodes
   std::vector<std::vector<Local>> receive_nodes_; ///< per rank: nodes here, in arriving order
   FacingView view_;

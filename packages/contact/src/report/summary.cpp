@@ -11,10 +11,10 @@ namespace {
 /// Sums and extremes over the points of one rank.
 struct Tally {
   enum { force, area = 3, tangential, energy, dissipation, sums };
-  enum { pressure, penetration, relative, gap, slip, overlap, nearness, extremes };
+  enum { pressure, penetration, relative, gap, slip, overlap, rise, nearness, extremes };
   enum { points, paired, active, stick, slipping, flips, counts };
   double sum[sums] = {};
-  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, -1e300};
+  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, 0.0, -1e300};
   double count[counts] = {};
 
   void raise(int which, double value) { largest[which] = std::max(largest[which], value); }
@@ -72,6 +72,7 @@ Tally tally(const InterfaceData& data) {
     t.sum[Tally::dissipation] += history.dissipated;
     t.raise(Tally::slip, history.path);
     t.raise(Tally::overlap, history.overlap);
+    t.raise(Tally::rise, std::fabs(history.rise));
     if (s.facing < 0)
       continue;
     t.count[Tally::paired] += 1.0;
@@ -130,6 +131,7 @@ ContactSummary summarize(const InterfaceData& data) {
   s.min_gap = -largest[Tally::nearness];
   s.max_slip = largest[Tally::slip];
   s.initial_overlap = largest[Tally::overlap];
+  s.facet_rise = largest[Tally::rise];
   s.max_pressure = largest[Tally::extremes];
   return s;
 }

@@ -124,6 +124,13 @@ template <class V> void describe_ties(V& v, contact::ContactOptions& o) {
             {"adjust", InitialOverlap::adjust,
              "counts as no overlap: strain free; an offset presses at once"}},
            "what becomes of an overlap of the meshes");
+  using contact::InitialGap;
+  v.choice("initial_gap", o.initial_gap,
+           {{"mesh", InitialGap::mesh, "of the faces as they are"},
+            {"round", InitialGap::round,
+             "of the round surfaces that four-cornered flat faces stand for; for fits that slide "
+             "little"}},
+           "what gaps and overlaps at the start are measured between");
 }
 
 /// When and where the law is evaluated.

@@ -35,6 +35,12 @@ enum class InitialOverlap {
   adjust,  ///< taken as no overlap: strain free; an offset presses at once
 };
 
+/// Which surfaces the gaps at the start are measured between.
+enum class InitialGap {
+  mesh,  ///< the faces of the meshes
+  round, ///< the round surfaces that flat faces stand for, while bodies slide little
+};
+
 /// What becomes of the distance that a tied point has from its partner at the start.
 enum class TieGap {
   keep,  ///< it strains nothing
@@ -108,6 +114,7 @@ struct ContactOptions {
   std::optional<double> stick_strength; ///< normal tension that it stands; none: any [pressure]
   double offset = 0.0; ///< gap that counts as closed: half a shell, an interference [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
+  InitialGap initial_gap = InitialGap::mesh;
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
 

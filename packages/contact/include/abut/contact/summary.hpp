@@ -27,7 +27,9 @@ struct ContactSummary {
   double max_slip = 0.0;        ///< longest way slipped since the start [length]
   double penalty_energy = 0.0;  ///< in the springs of penalty [energy]
   double dissipation = 0.0;     ///< by friction, since the start [energy]
-  double initial_overlap = 0.0; ///< deepest overlap of the meshes at the start [length]
+  double initial_overlap = 0.0; ///< deepest at the start, see Settings::overlap_of [length]
+  double facet_rise = 0.0; ///< largest difference then between the gap of the faces and that of the
+                           ///< round surfaces that they stand for, either way [length]
 };
 
 /// A point that is in contact or touches, once for each direction in which it holds.
