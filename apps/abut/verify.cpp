@@ -15,13 +15,25 @@ namespace {
 using deck::Quantity;
 using deck::VerifyOptions;
 
+/// (N) whether this rank's node is one of the surface, complete at owned nodes. Collective.
+std::vector<char> nodes_of(const mesh::Mesh& mesh, const mesh::Surface& surface) {
+  std::vector<char> result(mesh.node.size(), 0);
+  for (const Local n : surface.field_index)
+    result[std::size_t(n)] = 1;
+  mesh::node_exchange(mesh).max_to_owners(result.data());
+  return result;
+}
+
 /// Contact radius of a Hertz contact: p^2 is linear in r^2, so c0 + c1 r^2 fitted over the middle
 /// of the contact gives a^2 = -c0/c1. The axis is z through the origin; r is the current radius.
-double contact_radius(const Model& m, const scene::State& s) {
-  const scene::ContactFields fields = scene::contact_fields(*m.mesh, m.contacts);
+double contact_radius(const Model& m, const scene::State& s, const mesh::Surface& primary) {
+  scene::ContactFields fields = scene::contact_fields(*m.mesh, m.contacts);
+  const std::vector<char> here = nodes_of(*m.mesh, primary);
   double largest = 0.0;
-  for (double p : fields.pressure)
-    largest = std::max(largest, p);
+  for (std::size_t n = 0; n < fields.pressure.size(); ++n) {
+    fields.pressure[n] *= here[n];
+    largest = std::max(largest, fields.pressure[n]);
+  }
   largest = m.comm.max(largest);
   double sums[5] = {}; // 1, r^2, r^4, p^2, r^2 p^2
   for (std::size_t n = 0; n < fields.pressure.size(); ++n) {
@@ -139,7 +151,7 @@ double value_of(const Model& m, const scene::State& s, const VerifyOptions& v) {
   case Quantity::friction_dissipation:
     return contact->dissipation;
   case Quantity::contact_radius:
-    return contact_radius(m, s);
+    return contact_radius(m, s, m.contacts[c]->primary());
   case Quantity::displacement_x:
     return displacement(m, s, v, 0);
   case Quantity::displacement_y:

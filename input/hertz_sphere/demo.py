@@ -41,18 +41,21 @@ def run(program, ranks, folder):
 
 
 def pressures(exodus):
-    """Radius and contact pressure of the nodes that carry some, at the last step."""
+    """Radius and contact pressure of the sphere's nodes that carry some, at the last step."""
     with netCDF4.Dataset(exodus) as data:
-        names = [str(n) for n in netCDF4.chartostring(data["name_nod_var"][:])]
-        names = [n.strip("\x00 ") for n in names]
+        def number(kind, name):
+            words = [str(n).strip("\x00 ") for n in netCDF4.chartostring(data[kind][:])]
+            return words.index(name) + 1
+
+        sphere = np.array(data[f"node_ns{number('ns_names', 'contact')}"][:]) - 1
 
         def field(name):
-            return np.array(data[f"vals_nod_var{names.index(name) + 1}"][-1])
+            return np.array(data[f"vals_nod_var{number('name_nod_var', name)}"][-1])
 
         x = np.array(data["coordx"][:]) + field("displacement_x")
         y = np.array(data["coordy"][:]) + field("displacement_y")
         pressure = field("contact_pressure")
-    touched = pressure > 0
+    touched = sphere[pressure[sphere] > 0]
     return np.hypot(x, y)[touched], pressure[touched]
 
 

@@ -53,11 +53,11 @@ struct Interaction::Parts {
   mutable Connectivity candidates;
   long connectivity_version = 0, state_version = 0;
 
-  bool started = false;     ///< the points have their history
-  bool established = false; ///< some point was in contact at the last converged step
+  bool started = false;                ///< the points have their history
+  bool established = false;            ///< some point was in contact at the last converged step
   SolveKind solve = SolveKind::newton; ///< under way
-  int iterates = 0;         ///< taken in this solve
-  int step_iterates = 0;    ///< taken in this step
+  int iterates = 0;                    ///< taken in this solve
+  int step_iterates = 0;               ///< taken in this step
 };
 
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
@@ -147,9 +147,10 @@ void Interaction::Parts::set_terms(double time) {
   terms.penalty = given ? scale * o.penalty : 0.0;
   terms.stiffness = given ? 0.0 : scale * data.factor * o.modulus;
   const double resolved = std::min(o.window.until.value_or(end), end);
-  terms.fade = o.initial_overlap == InitialOverlap::resolve
+  terms.fade = o.initial_overlap == InitialOverlap::adjust ? 1.0
+               : o.initial_overlap == InitialOverlap::resolve
                    ? std::max(0.0, 1.0 - (time - o.window.from) / (resolved - o.window.from))
-                   : 1.0;
+                   : 0.0;
   terms.search_hold = step_iterates >= o.segment_updates ? frozen_margin : 0.0;
 }
 
@@ -174,7 +175,7 @@ void Interaction::Parts::rest() {
   Kokkos::deep_copy(data.points.state, PointState());
   Kokkos::deep_copy(data.points.reading, SiteReading());
   if (data.nodal)
-    data.nodal->evaluate(data.primary(), data.points, data.terms.law);
+    data.nodal->evaluate(data.primary(), data.points, data.terms);
   build_pairs();
 }
 
@@ -207,7 +208,7 @@ void Interaction::Parts::evaluate_sites() {
   if (nearest_hold && !established)
     find_nearest();
   if (data.terms.at_nodes)
-    data.nodal->evaluate(data.primary(), data.points, data.terms.law);
+    data.nodal->evaluate(data.primary(), data.points, data.terms);
   else
     Kokkos::parallel_for("abut::contact::decide_points", Range(0, points),
                          DecidePoints{data.primary(), data.facing(), data.points, data.terms});
@@ -439,8 +440,8 @@ bool Interaction::tear() {
 ContactSummary Interaction::summary() const {
   return summarize(parts_->data);
 }
-NodalSums Interaction::nodal_sums() const {
-  return contact::nodal_sums(parts_->data);
+NodalSums Interaction::nodal_sums(Side side) const {
+  return side == Side::primary ? primary_sums(parts_->data) : secondary_sums(parts_->data);
 }
 std::vector<PointRecord> Interaction::records() const {
   return contact::records(parts_->data);

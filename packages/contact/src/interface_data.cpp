@@ -35,6 +35,7 @@ PointTerms terms_of(const Settings& o, double share) {
   t.tension = o.tension;
   t.soft_modulus = soft_modulus(o);
   t.offset = o.offset;
+  t.rise = o.initial_gap == InitialGap::round ? 1.0 : 0.0;
   t.stick_within = o.stick_within;
   t.reach = o.reach;
   t.share = share;

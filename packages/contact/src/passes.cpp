@@ -2,6 +2,7 @@
 #include "abut/contact/passes.hpp"
 
 #include "abut/contact/option_error.hpp"
+#include "fit.hpp"
 
 #include <cstdio>
 #include <utility>
@@ -59,6 +60,9 @@ Passes make_passes(const Comm& comm, mesh::Surface primary, mesh::Surface second
   Passes result;
   if (options.primary_side == PrimarySide::as_given && sides.is_poor() && !options.two_pass)
     result.warnings.push_back(warn_of_side(settings, sides));
+  const std::string facets = warn_of_facets(comm, primary, secondary, chosen);
+  if (!facets.empty())
+    result.warnings.push_back(facets);
   const double share = options.two_pass ? 0.5 : 1.0;
   result.interfaces.push_back(make_pass(comm, primary, secondary, chosen, timers, host, share));
   if (!options.two_pass)

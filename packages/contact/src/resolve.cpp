@@ -216,6 +216,7 @@ Settings resolve(const ContactOptions& o, const SideComparison& sides) {
   s.stick_strength = o.stick_strength.value_or(s.stick_strength);
   s.offset = o.offset;
   s.initial_overlap = o.initial_overlap;
+  s.initial_gap = o.initial_gap;
   s.points = o.points;
   s.reach = o.reach;
   s.projection_margin = o.projection_margin;

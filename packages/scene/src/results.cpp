@@ -3,6 +3,9 @@
 
 #include "abut/scene/contact_fields.hpp"
 
+#include <map>
+#include <set>
+
 namespace abut::scene {
 
 namespace {
@@ -24,18 +27,61 @@ constexpr MotionQuantity motion_quantities[] = {{"_velocity", &rigid::BodyMotion
                                                 {"_angular_velocity", &rigid::BodyMotion::spin}};
 constexpr const char* axes[] = {"_x", "_y", "_z"};
 
-void add_motion_names(const Scene& m, io::ResultNames& names) {
-  for (const char* field : {"velocity", "acceleration"})
+/// A global variable and the key of the options that it belongs to.
+struct GlobalName {
+  std::string name, key;
+};
+
+/// What the variables of rigid bodies and joints begin with: their names, longer where something
+/// before has it, so that a contact and the body it presses on may have one name.
+struct Prefixes {
+  std::vector<std::string> bodies, joints;
+
+  explicit Prefixes(const Scene& m) {
+    std::set<std::string> taken;
+    const auto free_one = [&](std::string name, const char* kind) {
+      while (!taken.insert(name).second)
+        name += kind;
+      return name;
+    };
+    for (const auto& c : m.contacts)
+      taken.insert(c->name());
+    for (const auto& body : m.rigid_bodies)
+      bodies.push_back(free_one(body.name, "_body"));
+    for (const auto& joint : m.joints)
+      joints.push_back(free_one(joint.name, "_joint"));
+  }
+};
+
+/// In the order of the file, behind the counters and energies.
+std::vector<GlobalName> named_globals(const Scene& m) {
+  const Prefixes prefixes(m);
+  std::vector<GlobalName> result;
+  const auto add_vector = [&](const std::string& name, const std::string& key) {
     for (const char* i : axes)
-      names.nodal.push_back(std::string(field) + i);
-  names.global.push_back("kinetic_energy");
+      result.push_back({name + i, key});
+  };
+  for (const auto& c : m.contacts)
+    add_vector(std::string(c->name()) + "_force", std::string("contact.") + c->name());
+  for (std::size_t b = 0; b < m.rigid_bodies.size(); ++b)
+    for (const RigidQuantity& q : rigid_quantities)
+      add_vector(prefixes.bodies[b] + q.name, "bodies." + m.rigid_bodies[b].name);
+  for (std::size_t j = 0; j < m.joints.size(); ++j) {
+    const std::string key = "joints." + m.joints[j].name;
+    for (const char* q : {"_force", "_moment"})
+      add_vector(prefixes.joints[j] + q, key);
+    for (const char* q : {"_translation", "_rotation"})
+      result.push_back({prefixes.joints[j] + q, key});
+  }
+  if (!m.inertia)
+    return result;
+  result.push_back({"kinetic_energy", "dynamics"});
   for (const char* quantity : {"momentum", "angular_momentum"})
-    for (const char* i : axes)
-      names.global.push_back(std::string(quantity) + i);
-  for (const auto& body : m.rigid_bodies)
+    add_vector(quantity, "dynamics");
+  for (std::size_t b = 0; b < m.rigid_bodies.size(); ++b)
     for (const MotionQuantity& q : motion_quantities)
-      for (const char* i : axes)
-        names.global.push_back(body.name + q.name + i);
+      add_vector(prefixes.bodies[b] + q.name, "bodies." + m.rigid_bodies[b].name);
+  return result;
 }
 
 void put_motion(const Scene& m, const State& s, io::ResultStep& step) {
@@ -87,21 +133,29 @@ io::ResultNames result_names(const Scene& m) {
   names.global = {"steps",          "newton_iterations", "augmentations",
                   "cut_backs",      "work_in",           "energy_stored",
                   "energy_penalty", "energy_friction",   "energy_imbalance"};
-  for (const auto& c : m.contacts)
-    for (const char* i : {"_force_x", "_force_y", "_force_z"})
-      names.global.push_back(std::string(c->name()) + i);
-  for (const auto& body : m.rigid_bodies)
-    for (const RigidQuantity& q : rigid_quantities)
-      for (const char* i : {"_x", "_y", "_z"})
-        names.global.push_back(body.name + q.name + i);
-  for (const auto& joint : m.joints) {
-    for (const char* q : {"_force_x", "_force_y", "_force_z", "_moment_x", "_moment_y", "_moment_z",
-                          "_translation", "_rotation"})
-      names.global.push_back(joint.name + q);
-  }
+  for (const GlobalName& global : named_globals(m))
+    names.global.push_back(global.name);
   if (m.inertia)
-    add_motion_names(m, names);
+    for (const char* field : {"velocity", "acceleration"})
+      for (const char* i : axes)
+        names.nodal.push_back(std::string(field) + i);
   return names;
+}
+
+void require_own_names(const Scene& m, const Where& where) {
+  std::map<std::string, std::string> key;
+  constexpr std::size_t longest = 255; // NetCDF's limit
+  for (const GlobalName& global : named_globals(m)) {
+    if (global.name.size() > longest)
+      throw InputError(where(global.key) + ": the variables of its name in the results would be " +
+                       std::to_string(global.name.size()) + " characters long: expected at most " +
+                       std::to_string(longest));
+    const auto [first, is_new] = key.try_emplace(global.name, global.key);
+    if (!is_new)
+      throw InputError(where(global.key) + ": its '" + global.name +
+                       "' in the results would have the name of that of " + first->second +
+                       ": expected another name for one of the two");
+  }
 }
 
 io::ResultStep result_step(const Scene& m, const State& s) {

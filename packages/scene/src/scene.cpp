@@ -5,6 +5,7 @@
 #include "abut/rigid/make.hpp"
 #include "abut/scene/masses.hpp"
 #include "abut/scene/names.hpp"
+#include "abut/scene/results.hpp"
 #include "abut/scene/windows.hpp"
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
@@ -153,6 +154,7 @@ Scene build_scene(const Options& options, std::shared_ptr<const mesh::Mesh> shar
   s.contacts = make_contacts(options, mesh, materials, s.constraints, timers, where, s.warnings);
   s.equations = empty_equations(mesh, s.rigid_body_of_node, s.rigid_bodies, s.joints, timers);
   add_contributions(options, s);
+  require_own_names(s, where);
   for (auto& list : {windows_between_steps(options), warnings_of_joints(s.equations->joints()),
                      warnings_of_impact(options)})
     s.warnings.insert(s.warnings.end(), list.begin(), list.end());

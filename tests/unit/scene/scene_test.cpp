@@ -4,6 +4,7 @@
 #include "abut/meshgen/generators.hpp"
 #include "abut/rigid/assign_nodes.hpp"
 #include "abut/scene/contact_fields.hpp"
+#include "abut/scene/results.hpp"
 #include "abut/scene/scene.hpp"
 #include "abut/scene/state.hpp"
 #include "abut/scene/supports.hpp"
@@ -66,6 +67,14 @@ template <class Work> std::string message_of(const Work& work) {
   return "";
 }
 
+/// The scene with contact evaluated where it starts.
+scene::Scene at_rest(const scene::Options& options, PhaseTimers& timers) {
+  scene::Scene s = scene::build_scene(options, make_mesh(), timers, where);
+  Vector x(s.equations->dofs().map()), f(x.getMap());
+  s.equations->residual(x, f);
+  return s;
+}
+
 } // namespace
 
 TEST(Scene, NamesWhatNothingHolds) {
@@ -82,23 +91,120 @@ TEST(Scene, NamesWhatNothingHolds) {
               HasSubstr("options.bodies.upper: body 'upper' is free to move"));
 }
 
-TEST(Scene, AveragesPressureOnThePrimarySide) {
+TEST(Scene, ShowsContactOnBothSides) {
   PhaseTimers timers;
   const scene::Options options = two_blocks();
-  scene::Scene s = scene::build_scene(options, make_mesh(), timers, where);
-  Vector x(s.equations->dofs().map()), f(x.getMap());
-  s.equations->residual(x, f);
-  const scene::State state = scene::make_state(s, x, 0.0, {});
-  ASSERT_GT(state.contacts.at(0).active_points, 0);
+  const scene::Scene s = at_rest(options, timers);
   const scene::ContactFields fields = scene::contact_fields(*s.mesh, s.contacts);
-  Global touching = 0;
+  Global touching[2] = {0, 0};
   for (std::size_t n = 0; n < fields.pressure.size(); ++n)
     if (fields.pressure[n] > 0.0) {
-      ++touching;
+      const bool above = s.mesh->x[3 * n + 2] < 0.0; // they overlap
+      ++touching[above];
       EXPECT_NEAR(fields.gap[n], -0.01, 1e-12);
-      EXPECT_NEAR(fields.traction[3 * n + 2], fields.pressure[n], 1e-12 * fields.pressure[n]);
+      EXPECT_EQ(fields.status[n], 1.0);
+      EXPECT_NEAR(fields.traction[3 * n + 2], (above ? 1.0 : -1.0) * fields.pressure[n],
+                  1e-12 * fields.pressure[n]);
     }
-  EXPECT_EQ(s.mesh->comm.sum(touching), 16); // 3 x 3 faces, the same on any number of ranks
+  EXPECT_EQ(s.mesh->comm.sum(touching[0]), 9); // the same on any number of ranks
+  EXPECT_EQ(s.mesh->comm.sum(touching[1]), 16);
+}
+
+TEST(Scene, ContactThatPressesNowhereChangesNoField) {
+  PhaseTimers timers;
+  scene::Options options = two_blocks();
+  options.contact[0].friction = 0.5;
+  const scene::Scene one = at_rest(options, timers);
+  const scene::ContactFields alone = scene::contact_fields(*one.mesh, one.contacts);
+  const char* const others[][2] = {{"upper_bottom", "lower_x0"}, // the same faces
+                                   {"upper_x1", "lower_x0"},     // faces that share an edge
+                                   {"lower_y0", "lower_x0"}};
+  for (const auto& sides : others) {
+    scene::Options both = options;
+    both.contact.push_back(options.contact[0]);
+    both.contact[1].name = "other";
+    both.contact[1].primary = sides[0];
+    both.contact[1].secondary = sides[1];
+    const scene::Scene two = at_rest(both, timers);
+    ASSERT_EQ(two.contacts[1]->summary().active_points, 0);
+    const scene::ContactFields fields = scene::contact_fields(*two.mesh, two.contacts);
+    EXPECT_EQ(fields.pressure, alone.pressure);
+    EXPECT_EQ(fields.traction, alone.traction);
+    EXPECT_EQ(fields.status, alone.status);
+  }
+}
+
+TEST(Scene, AddsWhatSeveralContactsExert) {
+  PhaseTimers timers;
+  scene::Options options = two_blocks();
+  options.contact[0].penalty = 10.0;
+  const scene::Scene one = at_rest(options, timers);
+  const scene::ContactFields whole = scene::contact_fields(*one.mesh, one.contacts);
+  options.contact[0].penalty = 3.0;
+  options.contact.push_back(options.contact[0]);
+  options.contact[1].name = "other";
+  options.contact[1].penalty = 7.0;
+  const scene::Scene two = at_rest(options, timers);
+  const scene::ContactFields fields = scene::contact_fields(*two.mesh, two.contacts);
+  double most = 0.0;
+  for (std::size_t n = 0; n < whole.pressure.size(); ++n) {
+    most = std::max(most, whole.pressure[n]);
+    EXPECT_NEAR(fields.pressure[n], whole.pressure[n], 1e-13);
+    EXPECT_NEAR(fields.gap[n], whole.gap[n], 1e-15);
+    for (std::size_t i = 3 * n; i < 3 * n + 3; ++i)
+      EXPECT_NEAR(fields.traction[i], whole.traction[i], 1e-13);
+  }
+  EXPECT_GT(two.mesh->comm.max(most), 0.09);
+}
+
+TEST(Scene, TwoPassesShowTheWholePressure) {
+  PhaseTimers timers;
+  scene::Options options = two_blocks();
+  options.contact[0].penalty = 10.0;
+  options.contact[0].two_pass = true;
+  const scene::Scene s = at_rest(options, timers);
+  const scene::ContactFields fields = scene::contact_fields(*s.mesh, s.contacts);
+  double sum = 0.0, count = 0.0;
+  for (const double p : fields.pressure)
+    if (p > 0.0)
+      sum += p, count += 1.0;
+  EXPECT_EQ(s.mesh->comm.sum(count), 25.0);
+  EXPECT_NEAR(s.mesh->comm.sum(sum) / 25.0, 0.1, 0.005); // the transferred half is uneven
+}
+
+TEST(Scene, RefusesTwoThatWouldWriteOneVariable) {
+  PhaseTimers timers;
+  const auto mesh = make_mesh();
+  scene::Options options = two_blocks();
+  options.contact[0].two_pass = true;
+  options.contact.push_back(options.contact[0]);
+  options.contact[1].name = "pair_second_pass";
+  EXPECT_THAT(message_of([&] { scene::build_scene(options, mesh, timers, where); }),
+              HasSubstr("options.contact.pair_second_pass: its 'pair_second_pass_force_x' in the "
+                        "results would have the name of that of contact.pair_second_pass"));
+}
+
+TEST(Scene, RefusesNamesThatNoFileHolds) {
+  PhaseTimers timers;
+  scene::Options options = two_blocks();
+  options.contact[0].name = std::string(260, 'n');
+  EXPECT_THAT(message_of([&] { scene::build_scene(options, make_mesh(), timers, where); }),
+              HasSubstr("would be 268 characters long: expected at most 255"));
+}
+
+TEST(Scene, ContactAndBodyOfOneNameWriteVariablesOfTheirOwn) {
+  PhaseTimers timers;
+  scene::Options options = two_blocks();
+  options.bodies[0].rigid = true;
+  options.bodies[0].material.clear();
+  options.displacements.erase(options.displacements.begin());
+  options.contact[0].name = "lower";
+  const scene::Scene s = at_rest(options, timers);
+  const std::vector<std::string> names = scene::result_names(s).global;
+  for (const char* name : {"lower_force_x", "lower_body_force_x", "lower_body_rotation_z"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  const scene::State state = scene::make_state(s, Vector(s.equations->dofs().map()), 0.0, {});
+  EXPECT_EQ(scene::result_step(s, state).global.size(), names.size());
 }
 
 TEST(Scene, NamesTheOptionThatDoesNotFit) {

@@ -17,7 +17,8 @@ struct PointHistory {
   bool in_contact = false; ///< at the last converged step
   bool torn = false;       ///< a sticky point that has come off in this step
   double gap = 0.0;        ///< at the last converged step, offset not taken off [length]
-  double overlap = 0.0;    ///< of the meshes at the start, to be resolved or adjusted [length]
+  double rise = 0.0;       ///< of the round surfaces over the faces at the start [length]
+  double overlap = 0.0;    ///< at the start, see Settings::overlap_of [length]
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
   double sliding = 0.0;    ///< shear force of the last step if it slipped then, else 0 [force]
   double dissipated = 0.0; ///< friction work so far [energy]
@@ -40,14 +41,14 @@ struct PointState {
   double xi[2] = {0.0, 0.0}; ///< partner on the face
   Local near = -1;           ///< face of the nearest partner
   double near_xi[2] = {0.0, 0.0};
-  double gap = 0.0;          ///< > 0 open, offset not taken off [length]
-  double offset = 0.0;       ///< gap that counts as zero now [length]
-  double penalty = 0.0;      ///< [pressure/length]
-  double multiplier = 0.0;   ///< so that pressure = multiplier - penalty (gap - offset)
-  Vec3 normal{{0, 0, 0}};    ///< contact normal, from the secondary to the primary
-  Vec3 traction{{0, 0, 0}};  ///< on the primary, per area of the formulation's measure [pressure]
-  bool searched = false;     ///< its partner was sought; else an anchor is all it needs
-  bool by_site = false;      ///< the law of sites decides it; else a friction map with anchors has
+  double gap = 0.0;         ///< > 0 open, offset not taken off [length]
+  double offset = 0.0;      ///< gap that counts as zero now [length]
+  double penalty = 0.0;     ///< [pressure/length]
+  double multiplier = 0.0;  ///< so that pressure = multiplier - penalty (gap - offset)
+  Vec3 normal{{0, 0, 0}};   ///< contact normal, from the secondary to the primary
+  Vec3 traction{{0, 0, 0}}; ///< on the primary, per area of the formulation's measure [pressure]
+  bool searched = false;    ///< its partner was sought; else an anchor is all it needs
+  bool by_site = false;     ///< the law of sites decides it; else a friction map with anchors has
   SiteState site;
 };
 

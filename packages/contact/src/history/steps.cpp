@@ -19,9 +19,10 @@ void rest_tie(InterfaceData& data, Local i, const PrimaryPoint<double>& at, cons
   data.facing().coordinates(best.face, y);
   fem::FacePoint<double> on;
   fem::face_point(data.facing().type(best.face), y, best.xi, on);
-  history.rest = store_traction(at, on.x - at.x - data.settings.offset * at.normal);
-  const double penalty = data.terms.penalty_of(data.primary(), data.facing(),
-                                               data.primary().face(i), best.face);
+  const double offset = data.settings.offset + data.terms.rise * history.rise;
+  history.rest = store_traction(at, on.x - at.x - offset * at.normal);
+  const double penalty =
+      data.terms.penalty_of(data.primary(), data.facing(), data.primary().face(i), best.face);
   const Vec3 lambda = -penalty * turned_traction(history.rest, at);
   history.multiplier = -dot(at.normal, lambda);
   history.carried = store_traction(at, lambda + history.multiplier * at.normal);
@@ -39,9 +40,10 @@ void begin_point(InterfaceData& data, const PartnerSearch& search, Local i) {
   std::copy_n(best.xi, 2, iterate.near_xi);
   PointHistory& history = data.points.history(i);
   history.gap = best.gap;
-  if (o.initial_overlap != InitialOverlap::keep)
-    history.overlap = std::max(0.0, o.offset - best.gap);
-  const double gap = best.gap - o.offset, size = data.primary().size(data.primary().face(i));
+  history.rise = data.place.rise_between(i, best);
+  const double start = best.gap - data.terms.rise * history.rise;
+  history.overlap = o.overlap_of(start);
+  const double gap = start - o.offset, size = data.primary().size(data.primary().face(i));
   const double touching = touching_gap * size;
   history.in_contact = o.tied     ? std::fabs(gap) <= o.tie_distance * size
                        : o.sticky ? gap < o.stick_within - touching
@@ -132,8 +134,7 @@ void end_point_of_nodes(InterfaceData& data, Local i) {
     const Local n = nodes.node(face, a);
     const double weight = nodes.field_at(i, a);
     history.path += weight * data.nodal->slipped(n);
-    history.dissipated +=
-        weight * data.terms.share * data.measure(i) * data.nodal->dissipated(n);
+    history.dissipated += weight * data.terms.share * data.measure(i) * data.nodal->dissipated(n);
   }
 }
 
@@ -150,7 +151,10 @@ void begin_history(InterfaceData& data) {
       return;
     Kokkos::parallel_for("abut::contact::read_points", Range(0, data.points.size()),
                          ReadPoints{search, data.points, data.terms});
-    data.nodal->start(data.primary(), data.points);
+    data.nodal->start(data.primary(), data.points, data.settings, data.terms.fade);
+    for (Local i = 0; i < data.points.size(); ++i)
+      data.points.history(i).overlap = data.points.converged(i).overlap =
+          data.nodal->initial_overlap(data.primary().face(i), i);
   });
 }
 

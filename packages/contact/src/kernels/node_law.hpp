@@ -79,8 +79,15 @@ struct CoverFaces {
 };
 
 /// Columns of the nodal sums; those behind the normal only with friction.
-enum NodeSum { sum_area, sum_gap, sum_penalty, sum_normal, sum_slip = 6, sum_carried = 9,
-               node_sums = 12 };
+enum NodeSum {
+  sum_area,
+  sum_gap,
+  sum_penalty,
+  sum_normal,
+  sum_slip = 6,
+  sum_carried = 9,
+  node_sums = 12
+};
 
 /// Weighted sums of what the points read.
 struct GatherNodes {
@@ -102,7 +109,7 @@ struct GatherNodes {
         continue;
       const double weight = primary.area(point) * nodes.psi(place);
       sum[sum_area] += weight;
-      sum[sum_gap] += weight * r.gap;
+      sum[sum_gap] += weight * (r.gap - r.eased); // what is eased at a node is its own
       // Positive weights: the penalty of a face that meets several must not turn negative.
       sum[sum_penalty] += primary.area(point) * nodes.field(place) * r.penalty;
       for (int i = 0; i < 3; ++i)
@@ -118,9 +125,9 @@ struct GatherNodes {
   }
 };
 
-/// Means of a node from its sums.
+/// Means of a node from its sums. fade: see PointTerms.
 KOKKOS_INLINE_FUNCTION void read_node(const NodalArrays& nodes, Local n, const double* sum,
-                                      bool friction, NodeState& state) {
+                                      bool friction, double fade, NodeState& state) {
   state.reading = {};
   state.reading.size = nodes.size(n);
   state.reading.soft = nodes.soft(n);
@@ -131,7 +138,8 @@ KOKKOS_INLINE_FUNCTION void read_node(const NodalArrays& nodes, Local n, const d
   SiteReading& r = state.reading;
   state.area = sum[sum_area];
   r.covered = true;
-  r.gap = sum[sum_gap] / state.area;
+  r.eased = fade * nodes.history(n).overlap;
+  r.gap = sum[sum_gap] / state.area + r.eased;
   r.penalty = sum[sum_penalty] / state.area;
   const Vec3 normal = vector(sum_normal);
   state.normal_sum = norm(normal);
@@ -149,12 +157,14 @@ struct DecideNodes {
   int width;
   bool friction; ///< the sums have columns of slip
   LawTerms law;
+  double fade;
 
   KOKKOS_INLINE_FUNCTION void operator()(Local n) const {
     NodeState& state = nodes.state(n);
-    read_node(nodes, n, &sums(n * width), friction, state);
+    read_node(nodes, n, &sums(n * width), friction, fade, state);
     state.reading.multiplier = nodes.history(n).multiplier;
-    const SitePast past{nodes.converged(n).in_contact, nodes.converged(n).gap};
+    const SitePast past{nodes.converged(n).in_contact,
+                        nodes.converged(n).gap + state.reading.eased};
     state.site = decide(state.reading, past, nodes.iterate(n), law);
   }
 };

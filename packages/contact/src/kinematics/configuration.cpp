@@ -57,6 +57,7 @@ Configuration::Configuration(const Comm& comm, mesh::Surface primary, mesh::Surf
     : comm_(comm), origin_(lowest_corner(comm, primary, secondary)),
       primary_(std::move(primary), origin_, settings.points,
                settings.formulation == Formulation::node_on_facet),
+      primary_rise_(facet_rises(comm, primary_.surface())),
       secondary_(moved(std::move(secondary), origin_)), facing_(comm, secondary_, settings.reach),
       self_(settings.primary == settings.secondary && !settings.primary.empty()),
       line_(settings.ray()), reach_(settings.reach), margin_(settings.projection_margin),
@@ -172,22 +173,21 @@ double Configuration::wrong_facing_share() const {
     const auto at = p.at(i);
     const double reach2 = p.size(f) * p.size(f);
     bool wrong = false, found = false;
-    facing().tree.traverse(
-        [&](const Box<3>& box) { return box.distance2(at.x.v) <= reach2; },
-        [&](Local candidate) {
-          if (search.own_neighbour(f, candidate))
-            return;
-          const fem::FaceType type = facing().type(candidate);
-          Vec3 y[fem::max_face_nodes];
-          facing().coordinates(candidate, y);
-          double center[2];
-          fem::dispatch_face(type, [&](auto s) { decltype(s)::center(center); });
-          const auto q = facet_gap<double>(type, y, at.x, center);
-          if (std::fabs(q.gap) > p.size(f))
-            return;
-          found = true;
-          wrong = dot(q.normal, at.normal) > 0.5;
-        });
+    facing().tree.traverse([&](const Box<3>& box) { return box.distance2(at.x.v) <= reach2; },
+                           [&](Local candidate) {
+                             if (search.own_neighbour(f, candidate))
+                               return;
+                             const fem::FaceType type = facing().type(candidate);
+                             Vec3 y[fem::max_face_nodes];
+                             facing().coordinates(candidate, y);
+                             double center[2];
+                             fem::dispatch_face(type, [&](auto s) { decltype(s)::center(center); });
+                             const auto q = facet_gap<double>(type, y, at.x, center);
+                             if (std::fabs(q.gap) > p.size(f))
+                               return;
+                             found = true;
+                             wrong = dot(q.normal, at.normal) > 0.5;
+                           });
     near[0] += found;
     near[1] += found && wrong;
   }

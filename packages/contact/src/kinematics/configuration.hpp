@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/core/contribution.hpp"
 #include "abut/contact/resolve.hpp"
+#include "abut/core/contribution.hpp"
+#include "kinematics/facet_rise.hpp"
 #include "kinematics/partner_search.hpp"
 
 namespace abut::contact {
@@ -22,7 +23,21 @@ public:
   const mesh::Surface& secondary() const { return secondary_; }
   const PrimaryView& points() const { return primary_.view(); }
   const FacingView& facing() const { return facing_.view(); }
+  const FacingSurface& facing_surface() const { return facing_; }
+  bool self_contact() const { return self_; }
   const Vec3& origin() const { return origin_; }
+
+  /// Present position of a node of a secondary face of this rank, less the origin; after move().
+  Vec3 secondary_position(Local face, int a) const {
+    const double* x = &x_secondary_[3 * std::size_t(secondary_.nodes[secondary_.offset[face] + a])];
+    return {{x[0], x[1], x[2]}};
+  }
+
+  /// By how much less than their faces the round surfaces stand apart at a point with this partner.
+  double rise_between(Local point, const Partner& partner) const {
+    return rise_at(&primary_rise_[2 * std::size_t(points().face(point))], points().xi(point)) +
+           rise_at(&facing().face_rise(2 * partner.face), partner.xi);
+  }
 
   /// Moves both surfaces to where the fields have them; the first time it is where they start.
   void move(const NodalFields& fields);
@@ -46,17 +61,18 @@ private:
   Comm comm_;
   Vec3 origin_;
   PrimarySurface primary_;
-  mesh::Surface secondary_; ///< relative to origin_
+  std::vector<double> primary_rise_; ///< (faces, 2)
+  mesh::Surface secondary_;          ///< relative to origin_
   FacingSurface facing_;
   bool self_, line_;
   double reach_, margin_;
   double slack_;         ///< motion after which faces are collected anew [length]
   double smallest_size_; ///< of all primary faces [length]
   std::vector<double> x_secondary_, x_secondary_previous_; ///< (nodes, 3)
-  bool placed_ = false;    ///< there is a configuration
-  bool collected_ = false; ///< on all ranks together
-  double motion_ = 0.0;    ///< see PartnerSearch
-  double collected_motion_ = 0.0; ///< of the last collection
+  bool placed_ = false;                                    ///< there is a configuration
+  bool collected_ = false;                                 ///< on all ranks together
+  double motion_ = 0.0;                                    ///< see PartnerSearch
+  double collected_motion_ = 0.0;                          ///< of the last collection
   std::vector<Vec3> x_primary_collected_;
   std::vector<double> x_secondary_collected_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/facing_surface.hpp"
 
+#include "kinematics/facet_rise.hpp"
 #include "kinematics/primary_surface.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace abut::contact {
 using search::Box;
 
 FacingSurface::FacingSurface(const Comm& comm, const mesh::Surface& own, double reach)
-    : comm_(comm), own_(own), reach_(reach) {}
+    : comm_(comm), own_(own), reach_(reach), rise_(facet_rises(comm, own)) {}
 
 namespace {
 
@@ -20,7 +21,7 @@ struct FaceRecord {
   Global face_id;
   int type;
   int nodes;
-  double size, modulus, inverse_depth;
+  double size, modulus, inverse_depth, rise[2];
 };
 
 /// Every rank's boxes, one list for each rank.
@@ -86,8 +87,13 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
 void FacingSurface::pack(Local f, double size, std::size_t rank, std::vector<char>& taken,
                          Parcels& out) {
   const Local n = own_.offset[f + 1] - own_.offset[f];
-  out.faces[rank].push_back({own_.face_id[f], static_cast<int>(own_.type[f]), n, size,
-                             own_.modulus[f], own_.inverse_depth[f]});
+  out.faces[rank].push_back({own_.face_id[f],
+                             static_cast<int>(own_.type[f]),
+                             n,
+                             size,
+                             own_.modulus[f],
+                             own_.inverse_depth[f],
+                             {rise_[std::size_t(2 * f)], rise_[std::size_t(2 * f + 1)]}});
   for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a) {
     const Local node = own_.nodes[a];
     out.face_nodes[rank].push_back(own_.node[node]);
@@ -130,6 +136,7 @@ void FacingSurface::unpack(const Parcels& in) {
   v.face_size = make_view<double>("abut::contact::facing_size", all.size());
   v.face_modulus = make_view<double>("abut::contact::facing_modulus", all.size());
   v.face_inverse_depth = make_view<double>("abut::contact::facing_inverse_depth", all.size());
+  v.face_rise = make_view<double>("abut::contact::facing_rise", 2 * all.size());
   std::vector<Local> offset{0}, face_node;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const FaceRecord& face = all[i].face;
@@ -138,6 +145,7 @@ void FacingSurface::unpack(const Parcels& in) {
     v.face_size(i) = face.size;
     v.face_modulus(i) = face.modulus;
     v.face_inverse_depth(i) = face.inverse_depth;
+    std::copy_n(face.rise, 2, &v.face_rise(2 * i));
     v.largest_size = std::max(v.largest_size, face.size);
     for (int k = 0; k < face.nodes; ++k)
       face_node.push_back(index.at(all[i].nodes[k]));
@@ -162,6 +170,26 @@ void FacingSurface::fetch(const std::vector<double>& x_own, View<Vec3>& x) const
   for (std::size_t r = 0; r < arrived.size(); ++r)
     for (std::size_t k = 0; k < receive_nodes_[r].size(); ++k)
       std::copy_n(&arrived[r][3 * k], 3, x(receive_nodes_[r][k]).v);
+}
+
+/// A node that came from several ranks goes back to one of them.
+std::vector<double> FacingSurface::give_back(const std::vector<double>& values,
+                                             std::size_t width) const {
+  std::vector<std::vector<double>> send(std::size_t(comm_.size()));
+  std::vector<char> gone(values.size() / width, 0);
+  for (std::size_t r = 0; r < receive_nodes_.size(); ++r)
+    for (const Local n : receive_nodes_[r])
+      for (std::size_t k = 0; k < width; ++k) {
+        send[r].push_back(gone[std::size_t(n)] ? 0.0 : values[std::size_t(n) * width + k]);
+        gone[std::size_t(n)] = char(gone[std::size_t(n)] || k + 1 == width);
+      }
+  const auto arrived = comm_.exchange(send);
+  std::vector<double> sums(own_.node.size() * width, 0.0);
+  for (std::size_t r = 0; r < send_nodes_.size(); ++r)
+    for (std::size_t i = 0; i < send_nodes_[r].size(); ++i)
+      for (std::size_t k = 0; k < width; ++k)
+        sums[std::size_t(send_nodes_[r][i]) * width + k] += arrived[r][i * width + k];
+  return sums;
 }
 
 void FacingSurface::update(const std::vector<double>& x_own) {

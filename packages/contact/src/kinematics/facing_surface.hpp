@@ -13,16 +13,17 @@ namespace abut::contact {
 /// What kernels read of the secondary faces that are here. Copied by value; the arrays are shared.
 struct FacingView {
   View<fem::FaceType> face_type;
-  View<Global> face_id;        ///< ascending: the order does not depend on the partition
-  View<Local> offset;          ///< (faces+1) into face_node
-  View<Local> face_node;       ///< nodes here
-  View<Global> node;           ///< mesh node of each node here
-  View<Vec3> x, x_previous;    ///< (nodes) now, and at the last converged step [length]
-  View<double> face_size;      ///< reference [length]
-  View<double> face_modulus;   ///< 0: rigid [pressure]
+  View<Global> face_id;            ///< ascending: the order does not depend on the partition
+  View<Local> offset;              ///< (faces+1) into face_node
+  View<Local> face_node;           ///< nodes here
+  View<Global> node;               ///< mesh node of each node here
+  View<Vec3> x, x_previous;        ///< (nodes) now, and at the last converged step [length]
+  View<double> face_size;          ///< reference [length]
+  View<double> face_modulus;       ///< 0: rigid [pressure]
   View<double> face_inverse_depth; ///< [1/length]
-  double largest_size = 0.0;   ///< of all faces here [length]
-  search::Tree<3> tree;        ///< over the faces' boxes
+  View<double> face_rise;          ///< (faces,2) facet_rises [length]
+  double largest_size = 0.0;       ///< of all faces here [length]
+  search::Tree<3> tree;            ///< over the faces' boxes
 
   KOKKOS_INLINE_FUNCTION Local faces() const { return static_cast<Local>(face_type.extent(0)); }
   KOKKOS_INLINE_FUNCTION fem::FaceType type(Local face) const { return face_type(face); }
@@ -84,7 +85,7 @@ private:
 class FacingSurface {
 public:
   /// own: the secondary faces that this rank owns; it must outlive the object. reach: see
-  /// ContactOptions.
+  /// ContactOptions. Collective.
   FacingSurface(const Comm& comm, const mesh::Surface& own, double reach);
 
   /// Fetches the faces that come within `wanted` (boxes of this rank's primary faces, inflated by
@@ -97,6 +98,10 @@ public:
   /// The current coordinates become those of the last converged step.
   void accept() { Kokkos::deep_copy(view_.x_previous, view_.x); }
 
+  /// Adds up at the own nodes what ranks have at the nodes they have collected: values (collected
+  /// nodes, width), result (own nodes, width). Collective.
+  std::vector<double> give_back(const std::vector<double>& values, std::size_t width) const;
+
   const FacingView& view() const { return view_; }
 
 private:
@@ -108,6 +113,7 @@ private:
   Comm comm_;
   const mesh::Surface& own_;
   double reach_;
+  std::vector<double> rise_;                      ///< (own faces, 2)
   std::vector<std::vector<Local>> send_nodes_;    ///< per rank: own surface nodes
   std::vector<std::vector<Local>> receive_nodes_; ///< per rank: nodes here, in arriving order
   FacingView view_;

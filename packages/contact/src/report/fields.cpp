@@ -7,13 +7,6 @@ namespace abut::contact {
 
 namespace {
 
-/// Share of a node of the face (corners, middle nodes, center) in a point, from the corners'.
-double share_of(const double* N, int corners, int a) {
-  return a < corners       ? N[a]
-         : a < 2 * corners ? 0.5 * (N[a - corners] + N[(a - corners + 1) % corners])
-                           : 0.25;
-}
-
 double pressure_of(const NodeState& n) {
   return n.site.pressure;
 }
@@ -23,13 +16,9 @@ Vec3 shear_of(const NodeState& n) {
 
 } // namespace
 
-NodalSums nodal_sums(const InterfaceData& data) {
+NodalSums primary_sums(const InterfaceData& data) {
   const PrimaryView& primary = data.primary();
-  const auto count = static_cast<std::size_t>(data.corners.nodes());
-  NodalSums s;
-  s.weight.assign(count, 0.0);
-  s.pressure = s.gap = s.slip = s.status = s.weight;
-  s.traction.assign(3 * count, 0.0);
+  NodalSums s(data.surface(), data.terms.share);
   for (Local p = 0; p < primary.points(); ++p) {
     const PointState& state = data.points.state(p);
     const Local f = primary.face(p);
@@ -37,7 +26,8 @@ NodalSums nodal_sums(const InterfaceData& data) {
     double N[max_corners];
     data.corners.values(f, primary.xi(p), N);
     for (int a = 0; a < primary.nodes(f); ++a) {
-      const double share = area * share_of(N, data.corners.corners(f), a);
+      const double share = area * corner_share(N, data.corners.corners(f), a);
+      const auto place = static_cast<std::size_t>(primary.first_node(f) + a);
       const auto node = static_cast<std::size_t>(primary.node(primary.first_node(f) + a));
       double pressure = state.site.pressure;
       Vec3 traction = state.traction;
@@ -45,10 +35,13 @@ NodalSums nodal_sums(const InterfaceData& data) {
         pressure = data.nodal->face_value(f, a, pressure_of);
         traction = pressure * state.normal + data.nodal->face_value(f, a, shear_of);
       }
+      s.area[place] += share;
       s.weight[node] += share;
+      s.seen[node] += share;
       s.pressure[node] += share * cauchy * pressure;
       s.gap[node] += share * state.gap;
       s.slip[node] += share * data.points.history(p).path;
+      s.pressed[node] += state.site.pressed() ? share : 0.0;
       s.status[node] += share * double(state.site.status());
       for (int i = 0; i < 3; ++i)
         s.traction[3 * node + std::size_t(i)] += share * cauchy * traction[i];

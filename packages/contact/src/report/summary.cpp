@@ -11,10 +11,10 @@ namespace {
 /// Sums and extremes over the points of one rank.
 struct Tally {
   enum { force, area = 3, tangential, energy, dissipation, sums };
-  enum { pressure, penetration, relative, gap, slip, overlap, nearness, extremes };
+  enum { pressure, penetration, relative, gap, slip, overlap, rise, nearness, extremes };
   enum { points, paired, active, stick, slipping, flips, counts };
   double sum[sums] = {};
-  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, -1e300};
+  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, 0.0, -1e300};
   double count[counts] = {};
 
   void raise(int which, double value) { largest[which] = std::max(largest[which], value); }
@@ -72,6 +72,7 @@ Tally tally(const InterfaceData& data) {
     t.sum[Tally::dissipation] += history.dissipated;
     t.raise(Tally::slip, history.path);
     t.raise(Tally::overlap, history.overlap);
+    t.raise(Tally::rise, std::fabs(history.rise));
     if (s.facing < 0)
       continue;
     t.count[Tally::paired] += 1.0;
@@ -85,8 +86,14 @@ Tally tally(const InterfaceData& data) {
   return t;
 }
 
+/// In self-contact a node is pressed by the points around it and by those that meet its faces.
 double largest_nodal_pressure(const InterfaceData& data) {
-  NodalSums nodes = nodal_sums(data);
+  NodalSums nodes = primary_sums(data);
+  if (data.place.self_contact()) {
+    const NodalSums met = secondary_sums(data);
+    for (std::size_t n = 0; n < met.pressure.size(); ++n)
+      nodes.pressure[n] += met.pressure[n];
+  }
   data.corners.sum(nodes.weight);
   data.corners.sum(nodes.pressure);
   double most = 0.0;
@@ -124,6 +131,7 @@ ContactSummary summarize(const InterfaceData& data) {
   s.min_gap = -largest[Tally::nearness];
   s.max_slip = largest[Tally::slip];
   s.initial_overlap = largest[Tally::overlap];
+  s.facet_rise = largest[Tally::rise];
   s.max_pressure = largest[Tally::extremes];
   return s;
 }

@@ -5,10 +5,19 @@
 
 namespace abut::contact {
 
-void CornerSpace::values(Local face, const double xi[2], double* N) const {
-  fem::dispatch_face(fem::is_triangle(surface_.type[face]) ? fem::FaceType::tri3
-                                                           : fem::FaceType::quad4,
+void corner_values(fem::FaceType type, const double xi[2], double* N) {
+  fem::dispatch_face(fem::is_triangle(type) ? fem::FaceType::tri3 : fem::FaceType::quad4,
                      [&](auto shape) { decltype(shape)::values(xi, N); });
+}
+
+double corner_share(const double* N, int corners, int a) {
+  return a < corners       ? N[a]
+         : a < 2 * corners ? 0.5 * (N[a - corners] + N[(a - corners + 1) % corners])
+                           : 0.25;
+}
+
+void CornerSpace::values(Local face, const double xi[2], double* N) const {
+  corner_values(surface_.type[face], xi, N);
 }
 
 double CornerSpace::interpolate(Local face, const double* N, const std::vector<double>& data,

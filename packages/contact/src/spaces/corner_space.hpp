@@ -8,6 +8,14 @@
 
 namespace abut::contact {
 
+/// Values of the functions of a face that are linear between its corners, at a point of its
+/// parameter plane: (corners).
+void corner_values(fem::FaceType type, const double xi[2], double* N);
+
+/// Share of node a of a face (corners, middle nodes, center) in a point with corner functions N:
+/// a middle node takes those of the corners it stands between.
+double corner_share(const double* N, int corners, int a);
+
 /// Continuous functions on the primary surface that are linear between the corners of its faces,
 /// one for each corner node: positive with a positive integral on every face type, where the
 /// functions of quadratic faces are not. Nodes are the surface's own numbers; a node on several

@@ -13,7 +13,8 @@ constexpr int max_corners = 4; ///< of a face
 struct NodeHistory {
   double multiplier = 0.0; ///< [pressure]
   bool in_contact = false; ///< at the last converged step
-  double gap = 0.0;        ///< then, less the offset [length]
+  double gap = 0.0;        ///< then, less the offset, nothing eased [length]
+  double overlap = 0.0;    ///< at the start, of the averaged gap: Settings::overlap_of [length]
   double sliding = 0.0;    ///< size of its shear if it slipped then, else 0 [pressure]
 };
 

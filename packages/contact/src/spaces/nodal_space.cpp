@@ -122,24 +122,36 @@ View<double> NodalSpace::gather(const PrimaryView& primary, const PointArrays& p
 }
 
 void NodalSpace::evaluate(const PrimaryView& primary, const PointArrays& points,
-                          const LawTerms& law) {
+                          const PointTerms& terms) {
   const View<double> sums = gather(primary, points, width());
   Kokkos::parallel_for("abut::contact::decide_nodes", Range(0, arrays_.nodes()),
-                       DecideNodes{arrays_, sums, width(), friction_, law});
+                       DecideNodes{arrays_, sums, width(), friction_, terms.law, terms.fade});
   Kokkos::parallel_for("abut::contact::spread_nodes", Range(0, primary.points()),
                        SpreadNodes{primary, points, arrays_});
 }
 
-void NodalSpace::start(const PrimaryView& primary, const PointArrays& points) {
+void NodalSpace::start(const PrimaryView& primary, const PointArrays& points,
+                       const Settings& settings, double fade) {
   const View<double> sums = gather(primary, points, sum_slip);
   for (Local n = 0; n < arrays_.nodes(); ++n) {
     NodeState& state = arrays_.state(n);
-    read_node(arrays_, n, &sums(n * sum_slip), false, state);
-    arrays_.history(n).gap = state.reading.gap;
-    arrays_.history(n).in_contact =
-        state.area > 0.0 && state.reading.gap <= touching_gap * state.reading.size;
-    arrays_.converged(n) = arrays_.history(n);
+    NodeHistory& history = arrays_.history(n);
+    history.overlap = 0.0;
+    read_node(arrays_, n, &sums(n * sum_slip), false, fade, state);
+    history.gap = state.reading.gap;
+    if (state.area > 0.0)
+      history.overlap = settings.overlap_of(history.gap + settings.offset);
+    history.in_contact = state.area > 0.0 &&
+                         history.gap + fade * history.overlap <= touching_gap * state.reading.size;
+    arrays_.converged(n) = history;
   }
+}
+
+double NodalSpace::initial_overlap(Local face, Local point) const {
+  double sum = 0.0;
+  for (int a = 0; a < arrays_.corners(face); ++a)
+    sum += arrays_.field_at(point, a) * arrays_.history(arrays_.node(face, a)).overlap;
+  return sum;
 }
 
 void NodalSpace::take_iterate(bool new_step) {
@@ -195,10 +207,9 @@ void NodalSpace::accept() {
   for (Local n = 0; n < arrays_.nodes(); ++n) {
     const NodeState& state = arrays_.state(n);
     NodeHistory& history = arrays_.history(n);
-    history.gap = state.reading.gap;
+    history.gap = state.reading.gap - state.reading.eased;
     history.in_contact = state.site.active();
-    history.sliding =
-        state.site.rule == PointRule::incremental_slip ? norm(state.site.shear) : 0.0;
+    history.sliding = state.site.rule == PointRule::incremental_slip ? norm(state.site.shear) : 0.0;
     arrays_.converged(n) = history;
   }
   Kokkos::deep_copy(arrays_.carried_converged, arrays_.carried);

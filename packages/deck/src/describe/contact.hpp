@@ -114,13 +114,23 @@ template <class V> void describe_ties(V& v, contact::ContactOptions& o) {
              at_least(0.0, "length"));
   v.number_or("stick_strength", o.stick_strength, "unlimited",
               "tension along the normal beyond which sticky points come off", positive("pressure"));
-  v.optional("offset", o.offset, "gap that counts as closed", unit("length"));
+  v.optional("offset", o.offset, "gap that counts as closed: half a shell, an interference",
+             unit("length"));
   using contact::InitialOverlap;
   v.choice("initial_overlap", o.initial_overlap,
-           {{"keep", InitialOverlap::keep, "resolved at once"},
-            {"resolve", InitialOverlap::resolve, "pushed out while t rises to its end"},
-            {"adjust", InitialOverlap::adjust, "counts as no overlap: strain free"}},
+           {{"keep", InitialOverlap::keep, "resolved at once, as an offset is"},
+            {"resolve", InitialOverlap::resolve,
+             "pushed out while t rises to its end, and an offset with it"},
+            {"adjust", InitialOverlap::adjust,
+             "counts as no overlap: strain free; an offset presses at once"}},
            "what becomes of an overlap of the meshes");
+  using contact::InitialGap;
+  v.choice("initial_gap", o.initial_gap,
+           {{"mesh", InitialGap::mesh, "of the faces as they are"},
+            {"round", InitialGap::round,
+             "of the round surfaces that four-cornered flat faces stand for; for fits that slide "
+             "little"}},
+           "what gaps and overlaps at the start are measured between");
 }
 
 /// When and where the law is evaluated.

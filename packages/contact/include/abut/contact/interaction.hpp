@@ -86,7 +86,10 @@ public:
   bool tear();
 
   ContactSummary summary() const; ///< Collective.
-  NodalSums nodal_sums() const;
+  /// Tractions and gaps at the nodes of one side, as the law has them. On the secondary the force
+  /// of each point goes to the corners of the face that it meets, by their linear functions: summed
+  /// over the corner nodes it is minus the force on the primary. Collective.
+  NodalSums nodal_sums(Side side = Side::primary) const;
   std::vector<PointRecord> records() const;       ///< of this rank
   std::vector<ClosedPoint> closed_points() const; ///< of this rank
   std::vector<Site> sites() const;                ///< of this rank: points (I,P), or nodes

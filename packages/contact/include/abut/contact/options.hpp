@@ -30,9 +30,15 @@ enum class FrictionSwitching {
 };
 
 enum class InitialOverlap {
-  keep,    ///< an overlap of the meshes is resolved at once
-  resolve, ///< pushed out while t rises to its end
-  adjust,  ///< taken as no overlap: strain free
+  keep,    ///< an overlap of the meshes is resolved at once, as an offset is
+  resolve, ///< pushed out while t rises to its end, and an offset with it
+  adjust,  ///< taken as no overlap: strain free; an offset presses at once
+};
+
+/// Which surfaces the gaps at the start are measured between.
+enum class InitialGap {
+  mesh,  ///< the faces of the meshes
+  round, ///< the round surfaces that flat faces stand for, while bodies slide little
 };
 
 /// What becomes of the distance that a tied point has from its partner at the start.
@@ -106,8 +112,9 @@ struct ContactOptions {
   bool sticky = false;                  ///< points that touch or overlap are tied from then on
   double stick_within = 0.0;            ///< gap up to which a sticky point touches [length]
   std::optional<double> stick_strength; ///< normal tension that it stands; none: any [pressure]
-  double offset = 0.0; ///< gap that counts as closed, e.g. a shell's half thickness [length]
+  double offset = 0.0; ///< gap that counts as closed: half a shell, an interference [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
+  InitialGap initial_gap = InitialGap::mesh;
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
 

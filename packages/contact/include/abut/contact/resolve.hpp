@@ -46,6 +46,7 @@ struct Settings {
   double stick_strength = std::numeric_limits<double>::infinity(); ///< [pressure]
   double offset = 0.0;                                             ///< [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
+  InitialGap initial_gap = InitialGap::mesh;
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
   double reach = 3.0;
@@ -58,6 +59,12 @@ struct Settings {
   double length_tolerance = std::numeric_limits<double>::infinity(); ///< [length]
   int min_augmentations = 0, max_augmentations = 20;
 
+  /// What an initial overlap is at a site where the meshes have this gap at the start [length]: of
+  /// the meshes, or of all that presses where it is to grow with t.
+  double overlap_of(double gap) const {
+    const double closed = initial_overlap == InitialOverlap::resolve ? offset : 0.0;
+    return gap < closed ? closed - gap : 0.0;
+  }
   bool ray() const { return formulation == Formulation::sliding_elastic; }
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   bool nodal_law() const { return multipliers == Multipliers::dual; } ///< the law holds at nodes

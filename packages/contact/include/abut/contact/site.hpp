@@ -19,7 +19,8 @@ struct SiteReading {
   bool covered = false;    ///< it has a partner
   bool pulls = false;      ///< it may carry tension
   bool slides = true;      ///< Coulomb's law acts where it presses
-  double gap = 0.0;        ///< > 0 open, less the offset [length]
+  double gap = 0.0;        ///< > 0 open, less the offset, with what is eased [length]
+  double eased = 0.0;      ///< part of the initial overlap that does not count now [length]
   double penalty = 0.0;    ///< [pressure/length]
   double multiplier = 0.0; ///< pressure = multiplier - penalty gap [pressure]
   double soft = 0.0;       ///< stiffness that decides between stick and slip; 0: the penalty's own
@@ -39,7 +40,7 @@ struct SitePast {
 /// What the iterates of this solve have left. A residual reads it, events of the iteration write
 /// it.
 struct SiteIterate {
-  ShearIterate last; ///< of the last iterate, from which the friction switching goes on
+  ShearIterate last;   ///< of the last iterate, from which the friction switching goes on
   bool frozen = false; ///< multipliers have changed: the status stays that of `rule` until the next
                        ///< iterate is taken
   PointRule rule = PointRule::open; ///< of the last iterate
@@ -50,14 +51,14 @@ struct SiteIterate {
 /// Pressure, shear and rule of a site.
 struct SiteState {
   PointRule rule = PointRule::open;
-  bool touching = false;     ///< no pressure, but stiff: bodies that just touch hold
-  bool settled = true;       ///< the shear is the return map's
-  double pressure = 0.0;     ///< per area of the formulation's measure; < 0 only in tension
-  Vec3 shear = {{0, 0, 0}};  ///< tangential traction on the primary [pressure]
-  SlipLine line;             ///< in slip, the law made linear
+  bool touching = false;    ///< no pressure, but stiff: bodies that just touch hold
+  bool settled = true;      ///< the shear is the return map's
+  double pressure = 0.0;    ///< per area of the formulation's measure; < 0 only in tension
+  Vec3 shear = {{0, 0, 0}}; ///< tangential traction on the primary [pressure]
+  SlipLine line;            ///< in slip, the law made linear
   double share = 1.0, share_slope = 0.0; ///< of the step's slip, contact_share
-  Vec3 trial = {{0, 0, 0}};  ///< of the shear, tangential [pressure]
-  double out_of_plane = 0.0; ///< normal part of the trial before projection [pressure]
+  Vec3 trial = {{0, 0, 0}};              ///< of the shear, tangential [pressure]
+  double out_of_plane = 0.0;             ///< normal part of the trial before projection [pressure]
 
   /// Whether the site has a row in the tangent.
   KOKKOS_INLINE_FUNCTION bool active() const { return rule != PointRule::open; }

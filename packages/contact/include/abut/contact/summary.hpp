@@ -3,6 +3,7 @@
 
 #include "abut/contact/site.hpp"
 #include "abut/core/types.hpp"
+#include "abut/mesh/surface.hpp"
 
 #include <array>
 #include <vector>
@@ -26,7 +27,9 @@ struct ContactSummary {
   double max_slip = 0.0;        ///< longest way slipped since the start [length]
   double penalty_energy = 0.0;  ///< in the springs of penalty [energy]
   double dissipation = 0.0;     ///< by friction, since the start [energy]
-  double initial_overlap = 0.0; ///< deepest overlap of the meshes at the start [length]
+  double initial_overlap = 0.0; ///< deepest at the start, see Settings::overlap_of [length]
+  double facet_rise = 0.0; ///< largest difference then between the gap of the faces and that of the
+                           ///< round surfaces that they stand for, either way [length]
 };
 
 /// A point that is in contact or touches, once for each direction in which it holds.
@@ -36,13 +39,28 @@ struct ClosedPoint {
   Vec3 x, normal;        ///< position [length], direction that is held
 };
 
-/// Weighted sums at the nodes of the primary faces of a rank; divide by weight after summing over
-/// ranks. One entry for each surface node of the primary surface.
+/// Weighted sums at the nodes of the faces that a rank has of one side; divide after summing over
+/// ranks. One entry for each surface node of that side. Areas are current ones.
 struct NodalSums {
-  std::vector<double> weight, pressure, gap, slip;
-  std::vector<double> status;   ///< 0 open, 1 slip, 2 stick (sum of weights)
-  std::vector<double> traction; ///< (nodes, 3)
+  const mesh::Surface* surface; ///< of the interface, which must outlive its use
+  double share;                 ///< of the tractions that this pass exerts
+  std::vector<double> area;     ///< (face nodes) of each face in each of its nodes [length^2]
+  std::vector<double> weight;   ///< the same summed at each node; divides the next two
+  std::vector<double> pressure; ///< Cauchy
+  std::vector<double> traction; ///< (nodes, 3) on this side, Cauchy
+  std::vector<double> seen;     ///< area of points that know of the node; divides the next two
+  std::vector<double> gap, slip;
+  std::vector<double> pressed; ///< area of those that press; divides the next one
+  std::vector<double> status;  ///< 1 slip, 2 stick
+
+  NodalSums(const mesh::Surface& s, double share_of_pass)
+      : surface(&s), share(share_of_pass), area(s.nodes.size()), weight(s.node.size()),
+        pressure(weight), traction(3 * weight.size()), seen(weight), gap(weight), slip(weight),
+        pressed(weight), status(weight) {}
 };
+
+/// The two sides of an interface.
+enum class Side { primary, secondary };
 
 /// One point as an output file wants it. Where the law holds at nodes the tractions are those of
 /// the nodes, interpolated: what acts at the point belongs to averages and oscillates.
