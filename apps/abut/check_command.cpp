@@ -218,9 +218,12 @@ void check(const std::string& deck_file) {
   for (const auto& list : {m->warnings, warnings_of_start(*m)})
     for (const std::string& warning : list)
       print("WARNING: {}", warning);
+  const std::size_t known = m->warnings.size();
   if (!m->deck.dynamics.active)
-    scene::require_supports(m->deck, *m,
+    scene::require_supports(m->deck, *m, x,
                             [&](const std::string& key) { return m->deck.where(key); });
+  for (std::size_t i = known; i < m->warnings.size(); ++i)
+    print("WARNING: {}", m->warnings[i]);
   print("the deck is valid");
 }
 

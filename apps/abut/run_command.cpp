@@ -98,11 +98,12 @@ std::string one_line(const std::string& what) {
 }
 
 /// Evaluates the equations at the start and refuses bodies that nothing holds.
-void prepare(const Model& m, solver::AssembledSystem& system, const Vector& x) {
+void prepare(Model& m, solver::AssembledSystem& system, const Vector& x) {
   Vector f(x.getMap());
   m.comm.together([&] { system.residual(x, f); });
   if (!m.deck.dynamics.active) // else inertia holds
-    scene::require_supports(m.deck, m, [&](const std::string& key) { return m.deck.where(key); });
+    scene::require_supports(m.deck, m, x,
+                            [&](const std::string& key) { return m.deck.where(key); });
 }
 
 /// What follows a solve that Newton has brought to its end; empty: nothing.

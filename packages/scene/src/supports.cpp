@@ -2,6 +2,7 @@
 #include "abut/scene/supports.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/core/trilinos.hpp"
 #include "free_motions.hpp"
 #include "pieces.hpp"
 #include "symmetric_eigen.hpp"
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
 
 namespace abut::scene {
 
@@ -310,10 +313,44 @@ std::string FreePiece::text() const {
   return list;
 }
 
-void require_supports(const Options& options, const Scene& scene, const Where& where) {
+namespace {
+
+/// What stays free when the nearest points of all contacts hold.
+std::vector<FreePiece> free_beside_nearest(const Options& options, Scene& scene, const Vector& x) {
+  Vector f(x.getMap());
+  for (const auto& contact : scene.contacts)
+    contact->hold_by_nearest();
+  scene.equations->begin_solve(SolveKind::prediction);
+  scene.equations->residual(x, f);
+  auto free = free_pieces(options, scene);
+  scene.equations->begin_solve(SolveKind::newton);
+  scene.equations->residual(x, f);
+  return free;
+}
+
+/// The least gap of all contacts. Collective.
+double nearest_gap(const Scene& scene) {
+  double least = std::numeric_limits<double>::max();
+  for (const auto& contact : scene.contacts)
+    if (const auto summary = contact->summary(); summary.paired_points > 0)
+      least = std::min(least, summary.min_gap);
+  return least;
+}
+
+} // namespace
+
+void require_supports(const Options& options, Scene& scene, const Vector& x, const Where& where) {
   const auto free = free_pieces(options, scene);
   if (free.empty())
     return;
+  if (!scene.contacts.empty() && free_beside_nearest(options, scene, x).empty()) {
+    for (const FreePiece& piece : free)
+      scene.warnings.push_back(
+          fmt::format("bodies.{}: nothing but contact can hold {}, and nothing touches at the start: "
+                      "the nearest points, {:.3g} off, hold it until they touch",
+                      piece.body, piece.text(), nearest_gap(scene)));
+    return;
+  }
   bool rigid = false;
   for (const auto& body : options.bodies)
     rigid = rigid || (body.name == free[0].body && body.rigid);

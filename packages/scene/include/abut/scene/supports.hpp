@@ -35,7 +35,10 @@ std::vector<FreePiece> free_pieces(const Options& options, const Scene& scene);
 std::vector<FreePiece> free_pieces(const Options& options, const Scene& scene,
                                    const SupportedAt& at);
 
-/// Throws InputError naming the free pieces, their motions and what would hold them. Collective.
-void require_supports(const Options& options, const Scene& scene, const Where& where);
+/// Where something is free that the points nearest to other surfaces would hold, they do from now on,
+/// until there is contact (Interaction::hold_by_nearest); what is so held is among the warnings.
+/// Throws InputError naming the pieces that are free all the same, their motions and what would hold
+/// them. x: the start, at which the equations have been prepared and are again. Collective.
+void require_supports(const Options& options, Scene& scene, const Vector& x, const Where& where);
 
 } // namespace abut::scene
