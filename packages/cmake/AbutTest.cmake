@@ -2,6 +2,7 @@
 # The system's Python: it has numpy and netCDF4 from Debian packages, which another one need not have.
 set(ABUT_SCENE_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy and netCDF4 for the scene tests")
 set(ABUT_TEST_THREADS 1 CACHE STRING "Threads of each process of a test, where Kokkos has any")
+set(ABUT_TEST_SECONDS 600 CACHE STRING "Time limit of a test that has none of its own")
 
 # abut_test(NAME SOURCES a.cpp ... LIBRARIES abut::x ... [LABEL unit] [RANKS 1 2 4])
 # A GoogleTest program, run under mpiexec once for each rank count.
@@ -33,7 +34,7 @@ function(abut_test_properties test ranks label)
   set(session ${PROJECT_BINARY_DIR}/mpi/${test})
   file(MAKE_DIRECTORY ${session})
   set_tests_properties(${test} PROPERTIES
-    LABELS "${label}" PROCESSORS ${ranks} TIMEOUT 600 SKIP_RETURN_CODE 77
+    LABELS "${label}" PROCESSORS ${ranks} TIMEOUT ${ABUT_TEST_SECONDS} SKIP_RETURN_CODE 77
     ENVIRONMENT "OMP_NUM_THREADS=${ABUT_TEST_THREADS};KOKKOS_NUM_THREADS=${ABUT_TEST_THREADS};OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_btl_base_warn_component_unused=0;OMPI_MCA_orte_tmpdir_base=${session}")
 endfunction()
 

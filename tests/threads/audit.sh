@@ -103,6 +103,7 @@ build_kernels openmp all -DTrilinos_DIR="$work/openmp/installed/lib/cmake/Trilin
 threaded openmp
 
 build_trilinos tsan -DTPL_ENABLE_Pthread=ON -DKokkos_ENABLE_PTHREAD=ON -DCMAKE_CXX_FLAGS=-fsanitize=thread
-build_kernels tsan all -DABUT_SANITIZE=thread -DTrilinos_DIR="$work/tsan/installed/lib/cmake/Trilinos"
+build_kernels tsan all -DABUT_SANITIZE=thread -DABUT_TEST_SECONDS=3600 \
+  -DTrilinos_DIR="$work/tsan/installed/lib/cmake/Trilinos"
 threaded tsan
 echo "audit-threads: all right"

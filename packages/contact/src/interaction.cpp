@@ -28,12 +28,14 @@ struct Interaction::Parts {
   void rest();
   /// Partners, readings and the law, at points or nodes.
   void evaluate_sites();
+  bool may_hold() const { return nearest_hold && !established; }
   /// Whether the solve under way is one in which nearest points hold what nothing else does.
   bool seeks_hold() const {
-    return nearest_hold && !established &&
+    return may_hold() &&
            (solve == SolveKind::prediction || solve == SolveKind::approach);
   }
   void find_nearest();
+  void scale_hold();
   void build_pairs();
   void add_node_rows(const NodeRowArrays& rows) const;
 
@@ -46,6 +48,8 @@ struct Interaction::Parts {
   bool exact_tangent = false;
   bool nearest_hold = false; ///< see Interaction::hold_by_nearest
   bool apart = false;        ///< then, and no point has closed in the last evaluation
+  double nearest = 0.0, nearest_taken = 0.0; ///< least gap there, and at the last iterate [length]
+  double nearest_size = 0.0;                 ///< of the face there [length]
 
   PairArrays pairs;
   NodeCells node_cells;
@@ -102,7 +106,7 @@ void Interaction::set_prescribed(const std::vector<char>& directions) {
 }
 
 void Interaction::hold_by_nearest() {
-  parts_->nearest_hold = settings().modulus > 0.0;
+  parts_->nearest_hold = true;
   ++parts_->state_version;
 }
 
@@ -205,7 +209,7 @@ void Interaction::Parts::evaluate_sites() {
   if (normal_law)
     apply_law(normal_law, data.points);
   data.terms.law.hair = 0.0;
-  if (nearest_hold && !established)
+  if (may_hold())
     find_nearest();
   if (data.terms.at_nodes)
     data.nodal->evaluate(data.primary(), data.points, data.terms);
@@ -218,7 +222,8 @@ void Interaction::Parts::evaluate_sites() {
 /// force at the nearest points tell which way they go. Collective.
 void Interaction::Parts::find_nearest() {
   constexpr double band = 0.1; ///< in face sizes, beyond the nearest point
-  double nearest = std::numeric_limits<double>::max(), size = 0.0;
+  nearest = std::numeric_limits<double>::max();
+  double size = 0.0;
   for (Local i = 0; i < data.points.size(); ++i) {
     const SiteReading& r = data.points.reading(i);
     if (!r.covered || r.gap >= nearest)
@@ -229,9 +234,24 @@ void Interaction::Parts::find_nearest() {
   double best[2] = {-nearest, size};
   data.comm.max(best, 2);
   nearest = -best[0];
-  apart = nearest > touching_gap * best[1];
-  if (apart && seeks_hold() && best[1] > 0.0)
-    data.terms.law.hair = nearest + band * best[1];
+  nearest_size = best[1];
+  apart = nearest > touching_gap * nearest_size;
+  if (apart && seeks_hold() && nearest_size > 0.0)
+    data.terms.law.hair = nearest + band * nearest_size;
+}
+
+/// What the last iterate moved by tells how stiff the nearest points must be to let the next one close
+/// the gap.
+void Interaction::Parts::scale_hold() {
+  constexpr double overlap = 0.02; ///< in face sizes, what the next iterate is to end with
+  constexpr double least = 1e-6;
+  double& share = data.terms.law.hair_share;
+  const double moved = nearest_taken - nearest;
+  if (iterates == 0)
+    share = 1.0;
+  else if (apart && moved > 0.0)
+    share = std::clamp(share * moved / (nearest + overlap * nearest_size), least, 1.0);
+  nearest_taken = nearest;
 }
 
 void Interaction::Parts::add_node_rows(const NodeRowArrays& rows) const {
@@ -316,7 +336,7 @@ bool Interaction::overloaded() const {
   const double modulus = settings().modulus;
   if (modulus <= 0.0 || parts_->established)
     return false;
-  if (parts_->nearest_hold && parts_->apart)
+  if (parts_->may_hold() && parts_->apart)
     return true;
   if (data.terms.at_nodes) {
     const NodalArrays& nodes = data.nodal->arrays();
@@ -379,6 +399,8 @@ void Interaction::iterate_taken() {
   Parts& p = *parts_;
   if (p.data.acts)
     take_iterate(p.data, p.step_iterates == 0);
+  if (p.seeks_hold())
+    p.scale_hold();
   p.step_iterates += p.solve != SolveKind::approach;
   ++p.iterates;
   ++p.state_version;

@@ -340,11 +340,14 @@ double nearest_gap(const Scene& scene) {
 } // namespace
 
 void require_supports(const Options& options, Scene& scene, const Vector& x, const Where& where) {
-  const auto free = free_pieces(options, scene);
+  auto free = free_pieces(options, scene);
   if (free.empty())
     return;
-  if (!scene.contacts.empty() && free_beside_nearest(options, scene, x).empty()) {
-    for (const FreePiece& piece : free)
+  const auto held = free;
+  if (!scene.contacts.empty())
+    free = free_beside_nearest(options, scene, x);
+  if (free.empty()) {
+    for (const FreePiece& piece : held)
       scene.warnings.push_back(
           fmt::format("bodies.{}: nothing but contact can hold {}, and nothing touches at the start: "
                       "the nearest points, {:.3g} off, hold it until they touch",

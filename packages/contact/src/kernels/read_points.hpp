@@ -214,6 +214,8 @@ struct DecidePoints {
     if (s.facing >= 0) {
       s.penalty = r.penalty; // a law of the host's own has another stiffness
       s.multiplier = r.multiplier;
+      if (s.site.touching && terms.law.hair > 0.0)
+        s.penalty *= terms.law.hair_share;
     }
     s.traction = s.site.pressure * s.normal + s.site.shear;
     if (s.site.rule != PointRule::literal_slip)

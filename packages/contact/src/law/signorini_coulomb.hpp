@@ -13,6 +13,7 @@ struct LawTerms {
   double friction = 0.0;   ///< mu at the present time [1]
   bool predicting = false; ///< see SolveKind::prediction
   double hair = 0.0;       ///< gap up to which sites that nothing presses count as touching [length]
+  double hair_share = 1.0; ///< part of their stiffness that these have [1]
   bool literal = false;    ///< slip by the printed theory: the shear is not decided here
 };
 
