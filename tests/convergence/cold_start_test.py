@@ -22,6 +22,7 @@ WAYS = {
     "dual": {"enforcement": "augmented_lagrangian", "multipliers": "dual"},
 }
 FORMULATIONS = ("facet_on_facet", "sliding_elastic", "node_on_facet")
+OPEN_BY_FORCE = {("sliding_elastic", "penalty", 0.02, 12)}
 OPEN = {("sliding_elastic", "dual", 0.02, 6), ("node_on_facet", "smoothed", 0.02, 12)}
 
 
@@ -81,14 +82,17 @@ class ColdStart(unittest.TestCase):
                 self.press(formulation, way)
 
     def test_starts_by_a_force(self):
-        """With dual multipliers, whose nodes touch at the start; the points of faces stand off by a hair."""
+        """Nodes touch at the start; the points of faces stand off by a hair."""
         for formulation in FORMULATIONS:
-            for force in (0.005, 0.01, 0.02):
-                for faces in (n for n in KNOWN.meshes if n <= 12):
-                    with self.subTest(formulation=formulation, force=force, faces=faces):
-                        scene = deck_of_force(force, faces, formulation=formulation, **WAYS["dual"])
-                        name = f"{formulation:16s} by a force of {force:.4f}, {faces:2d} faces"
-                        self.assertAlmostEqual(self.iterations(scene, name), force, delta=1e-3 * force)
+            for way, options in WAYS.items():
+                for force in (0.005, 0.01, 0.02):
+                    for faces in (n for n in KNOWN.meshes if n <= 12):
+                        if (formulation, way, force, faces) in OPEN_BY_FORCE:
+                            continue
+                        with self.subTest(formulation=formulation, way=way, force=force, faces=faces):
+                            scene = deck_of_force(force, faces, formulation=formulation, **options)
+                            name = f"{formulation:16s} {way:8s} by a force of {force:.3f}, {faces:2d} faces"
+                            self.assertAlmostEqual(self.iterations(scene, name), force, delta=1e-3 * force)
 
     def test_starts_by_a_force_with_friction(self):
         for formulation in ("facet_on_facet", "sliding_elastic"):

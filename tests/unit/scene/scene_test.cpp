@@ -87,7 +87,7 @@ TEST(Scene, NamesWhatNothingHolds) {
   ASSERT_EQ(free.size(), 1U); // contact holds z and the rotations about x and y; x0 that about z
   EXPECT_EQ(free[0].body, "upper");
   EXPECT_THAT(free[0].motions, ElementsAre("translation along y"));
-  EXPECT_THAT(message_of([&] { scene::require_supports(options, s, where); }),
+  EXPECT_THAT(message_of([&] { scene::require_supports(options, s, x, where); }),
               HasSubstr("options.bodies.upper: body 'upper' is free to move"));
 }
 
