@@ -9,6 +9,7 @@
 
 #include <BelosSolverFactory_Tpetra.hpp>
 #include <BelosTpetraAdapter.hpp>
+#include <Teuchos_ParameterListExceptions.hpp>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -104,6 +105,8 @@ private:
       preconditioner_ = preconditioning_->build(matrix_, symmetric_);
       kept_ = 0;
       count_setup_();
+    } catch (const Teuchos::Exceptions::InvalidParameter& e) {
+      throw InputError(std::string("The list of the preconditioner is not one: ") + e.what());
     } catch (const std::exception& e) {
       preconditioner_ = Teuchos::null;
       throw SolveError(std::string("The preconditioner cannot be built: ") + e.what());

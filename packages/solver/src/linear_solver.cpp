@@ -95,7 +95,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options,
   if (system.indefinite() || options.method == LinearMethod::direct ||
       (automatic && unknowns <= options.direct_limit)) {
     choose("direct");
-    return std::make_unique<MumpsSolver>(timers);
+    return std::make_unique<MumpsSolver>(timers, system.indefinite());
   }
   LinearOptions cheap = options;
   cheap.preconditioner = choose_preconditioner(options.preconditioner, system);

@@ -3,12 +3,14 @@
 
 #include "abut/core/comm.hpp"
 #include "abut/core/error.hpp"
+#include "abut/core/machine_error.hpp"
 #include "abut/core/trilinos.hpp"
 
 #include <cmath>
 #include <dmumps_c.h>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace abut::solver {
@@ -53,9 +55,11 @@ constexpr double null_pivot = 1e-15;
 /// |diag(A) x| / |b| beyond which the solution is a rigid motion blown up by rounding.
 constexpr double runaway = 1e13;
 
-const char* const singular_message =
-    "The stiffness matrix is singular: some body, or part of one, is free to move, or joints hold "
-    "one motion twice.";
+SolveError singular(bool joints) {
+  return SolveError(
+      std::string("The stiffness matrix is singular: some body, or part of one, is free to move") +
+      (joints ? ", or joints hold one motion twice." : "."));
+}
 
 } // namespace
 
@@ -63,8 +67,8 @@ constexpr double same_values = 1e-13; ///< change of the matrix, to its largest 
 
 class MumpsSolver::Instance {
 public:
-  Instance(const RCP<const Map>& map, bool symmetric)
-      : map_(map), comm_(mpi_comm(*map)), symmetric_(symmetric) {
+  Instance(const RCP<const Map>& map, bool symmetric, bool joints)
+      : map_(map), comm_(mpi_comm(*map)), symmetric_(symmetric), joints_(joints) {
     ABUT_REQUIRE(map->getGlobalNumElements() < std::numeric_limits<MUMPS_INT>::max(),
                  "too many unknowns for MUMPS");
     data_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm_.mpi()));
@@ -127,7 +131,7 @@ public:
     }
     check_status();
     if (data_.infog[27] > 0)
-      throw SolveError(singular_message);
+      throw singular(joints_);
     factored_ = true;
     return true;
   }
@@ -168,9 +172,9 @@ private:
     if (status >= 0)
       return;
     if (status == -10 || status == -6)
-      throw SolveError(singular_message);
-    if (status == -13 || status == -19 || status == -9 || status == -8)
-      throw SolveError("There is not enough memory to factor the stiffness matrix.");
+      throw singular(joints_);
+    if (status == -7 || status == -13 || status == -19 || status == -9 || status == -8)
+      throw MachineError(out_of_memory);
     throw Defect("MUMPS failed with status " + std::to_string(status) + ", " +
                  std::to_string(data_.infog[1]));
   }
@@ -235,6 +239,7 @@ private:
   RCP<const Map> map_;
   Comm comm_;
   bool symmetric_;
+  bool joints_;
   DMUMPS_STRUC_C data_{};
   Global first_ = 0; ///< position of this rank's first row
   bool analysed_ = false, factored_ = false;
@@ -244,13 +249,14 @@ private:
   std::vector<int> counts_, offsets_;
 };
 
-MumpsSolver::MumpsSolver(PhaseTimers* timers) : LinearSolver("direct", timers) {}
+MumpsSolver::MumpsSolver(PhaseTimers* timers, bool joints)
+    : LinearSolver("direct", timers), joints_(joints) {}
 MumpsSolver::~MumpsSolver() = default;
 
 void MumpsSolver::do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) {
   matrix_ = matrix;
   if (!instance_ || !instance_->fits(*matrix->getRowMap(), symmetric))
-    instance_ = std::make_unique<Instance>(matrix->getRowMap(), symmetric);
+    instance_ = std::make_unique<Instance>(matrix->getRowMap(), symmetric, joints_);
   if (instance_->factor(*matrix, graph_version))
     count_setup();
 }
@@ -281,7 +287,7 @@ LinearResult MumpsSolver::do_solve(const Vector& b, Vector& x, double) {
   matrix_->getLocalDiagCopy(diagonal);
   correction.elementWiseMultiply(1.0, diagonal, x, 0.0);
   if (!(correction.norm2() < runaway * size))
-    throw SolveError(singular_message);
+    throw singular(joints_);
   if (!(relative <= accepted_residual))
     throw SolveError("The direct solver left a relative residual of " + std::to_string(relative) +
                      ": the stiffness matrix is too ill-conditioned.");

@@ -8,10 +8,12 @@
 namespace abut::solver {
 
 /// Direct solution by MUMPS: L D L^T for a symmetric matrix, LU otherwise. The true residual is
-/// checked after every solve and improved by iterative refinement.
+/// checked after every solve and improved by iterative refinement. Throws MachineError where memory
+/// does not suffice.
 class MumpsSolver : public LinearSolver {
 public:
-  explicit MumpsSolver(PhaseTimers* timers = nullptr);
+  /// joints: a singular matrix may be due to them.
+  explicit MumpsSolver(PhaseTimers* timers = nullptr, bool joints = false);
   ~MumpsSolver() override;
 
 private:
@@ -21,6 +23,7 @@ private:
   class Instance; ///< one MUMPS structure with its analysis and factors
   std::unique_ptr<Instance> instance_;
   RCP<const Matrix> matrix_;
+  bool joints_;
 };
 
 } // namespace abut::solver
