@@ -12,6 +12,7 @@ Recorder::Recorder(const Model& model, const std::string& stem, Progress& progre
       writer_(stem, *model.mesh, scene::result_names(model), model.deck.output.files) {
   state_.energy.kinetic_at_start = state_.energy.kinetic;
   watch_.look(state_);
+  penalty_.look(state_);
   if (model.deck.output.points)
     points_.emplace(model, stem);
   write();
@@ -27,6 +28,7 @@ void Recorder::step(const solver::StepReport& report, const Vector& x) {
   state_ = scene::make_state(model_, x, report.t, counters_);
   state_.energy.kinetic_at_start = kinetic_at_start;
   watch_.look(state_);
+  penalty_.look(state_);
   Global active = 0;
   double ratio = 0.0;
   for (const auto& c : state_.contacts) {

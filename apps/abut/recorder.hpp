@@ -6,6 +6,7 @@
 #include "warnings.hpp"
 
 #include "abut/io/result_writer.hpp"
+#include "abut/scene/penalty_error.hpp"
 #include "abut/scene/state.hpp"
 
 #include <optional>
@@ -29,6 +30,7 @@ public:
   const scene::State& state() const { return state_; }
   const solver::Counters& counters() const { return counters_; } ///< of the converged steps
   const ContactWatch& watch() const { return watch_; }
+  const scene::PenaltyError& penalty_error() const { return penalty_.error(); }
   const std::string& path() const { return writer_.path(); }
 
 private:
@@ -41,6 +43,7 @@ private:
   std::optional<PointsFile> points_;
   solver::Counters counters_;
   ContactWatch watch_;
+  scene::PenaltyWatch penalty_;
   long long augmentations_ = 0; ///< of the last one
   double written_ = 0.0;        ///< t
 };

@@ -253,13 +253,16 @@ int run(const RunOptions& options) {
   write_last(recorder, outcome);
   if (!result.converged && !outcome.machine)
     result.reason += why_stopped(m, recorder, result);
-  for (const std::string& warning : recorder.watch().warnings(m, result.converged))
-    progress.warning(warning);
+  for (const auto& list : {recorder.watch().warnings(m, result.converged),
+                           warnings_of_penalty(m, recorder.penalty_error())})
+    for (const std::string& warning : list)
+      progress.warning(warning);
 
   RunFacts facts;
   facts.converged = result.converged;
   facts.reason = result.reason;
   facts.warnings = progress.warnings();
+  facts.penalty = recorder.penalty_error();
   facts.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   facts.linear = used_methods(*linear);

@@ -32,7 +32,7 @@ const char* formulation_name(contact::Formulation formulation) {
   throw Defect("a formulation without a name");
 }
 
-Json contact_json(const Model& m, const scene::State& s) {
+Json contact_json(const Model& m, const scene::State& s, const scene::PenaltyError& penalty) {
   Json all = Json::object();
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
     const contact::ContactSummary& c = s.contacts[i];
@@ -51,6 +51,8 @@ Json contact_json(const Model& m, const scene::State& s) {
         {"flips", c.flips},
         {"friction_dissipation", c.dissipation},
         {"penalty_energy", c.penalty_energy},
+        {"penalty_error", penalty.contacts[i]},
+        {"penetration_over_approach", penalty.penetration_over_approach[i]},
         {"initial_overlap", c.initial_overlap},
         {"penalty_factor", m.contacts[i]->penalty_factor()}};
   }
@@ -119,13 +121,14 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"wall_seconds", facts.wall_seconds},
                {"phase_seconds", phases},
                {"peak_memory_mb", memory},
-               {"contact", contact_json(m, s)},
+               {"contact", contact_json(m, s, facts.penalty)},
                {"energy",
                 {{"work_in", s.energy.work_in},
                  {"stored", s.energy.stored},
                  {"penalty", s.energy.penalty},
                  {"friction", s.energy.friction},
                  {"imbalance", s.energy.imbalance()}}},
+               {"penalty_error", facts.penalty.whole},
                {"verify", Json::array()}};
   if (m.inertia) {
     const auto list = [](const Vec3& v) { return Json{v[0], v[1], v[2]}; };

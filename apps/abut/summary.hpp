@@ -3,6 +3,7 @@
 
 #include "verify.hpp"
 
+#include "abut/scene/penalty_error.hpp"
 #include "abut/solver/linear_solver.hpp"
 
 #include <string>
@@ -14,6 +15,7 @@ struct RunFacts {
   bool converged = false;
   std::string reason; ///< of a run that stopped
   std::vector<std::string> warnings;
+  scene::PenaltyError penalty;
   double wall_seconds = 0.0;
   std::vector<solver::LinearUse> linear; ///< those of the methods that were used
 };

@@ -8,7 +8,9 @@ namespace abut::app {
 
 namespace {
 
-constexpr double deep = 0.5; ///< in sizes of the face
+constexpr double deep = 0.5;       ///< in sizes of the face
+constexpr double too_soft = 0.02;  ///< of the force
+constexpr double main_share = 0.2; ///< of the largest error, which makes an interface worth naming
 
 }
 
@@ -68,6 +70,26 @@ std::vector<std::string> ContactWatch::warnings(const Model& m, bool converged) 
                                           settings.primary, settings.secondary, seen_[i].deepest));
   }
   return result;
+}
+
+std::vector<std::string> warnings_of_penalty(const Model& m, const scene::PenaltyError& error) {
+  if (!(error.whole > too_soft))
+    return {};
+  const double largest = *std::max_element(error.contacts.begin(), error.contacts.end());
+  std::string names;
+  bool by_penalty = false;
+  for (std::size_t i = 0; i < error.contacts.size(); ++i)
+    if (error.contacts[i] >= main_share * largest) {
+      names += (names.empty() ? "contact." : ", contact.") + std::string(m.contacts[i]->name());
+      by_penalty = by_penalty || !m.contacts[i]->settings().augmented();
+    }
+  return {fmt::format(
+      "{}: surfaces sink into each other so far that forces under given displacements, or "
+      "displacements under given forces, are off by about {:.2g} %: {}",
+      names, 100.0 * error.whole,
+      by_penalty ? "take 'enforcement: augmented_lagrangian' or a larger penalty_factor"
+                 : "ask for more augmentations (gap_tolerance, min_augmentations) or take a larger "
+                   "penalty_factor")};
 }
 
 } // namespace abut::app

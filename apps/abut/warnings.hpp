@@ -3,6 +3,7 @@
 
 #include "model.hpp"
 
+#include "abut/scene/penalty_error.hpp"
 #include "abut/scene/state.hpp"
 
 #include <string>
@@ -30,5 +31,9 @@ private:
   };
   std::vector<Seen> seen_;
 };
+
+/// Where contact is too soft by more than 2 % in the last state of a run: by how much, and the word
+/// that would mend it.
+std::vector<std::string> warnings_of_penalty(const Model& model, const scene::PenaltyError& error);
 
 } // namespace abut::app

@@ -248,11 +248,12 @@ class Warnings(Case):
     def test_deep_points(self):
         run = scenes.run(scenes.merged(BLOCKS, {"mesh": {"generate": {"gap": -0.2}}, "contact": {"press": {
             "penalty_factor": 0.1}}}))
-        start, end = run.summary["warnings"]
+        start, end, soft = run.summary["warnings"]
         self.assertEqual(start, "contact.press: 'upper_bottom' and 'lower_top' overlap at the start by up to 0.2, "
                          "0.6 of a face: is that meant?")
         self.assertRegex(end, r"^contact\.press: points of 'upper_bottom' sank into 'lower_top' by up to 0\.6 of their "
                          r"face: ")
+        self.assertIn(" off by about ", soft)
 
     def test_a_surface_that_may_touch_itself(self):
         deck = scenes.merged(BLOCKS, {"contact": {"self": {"primary": "upper_x0", "secondary": "upper_x0"}}})

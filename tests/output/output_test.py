@@ -20,11 +20,12 @@ GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in",
           "pair_force_z"]
 SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "extrapolated_steps", "newton_iterations", "augmentations",
            "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
-           "contact", "energy", "verify", "warnings"]
+           "contact", "energy", "penalty_error", "verify", "warnings"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
            "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",
-           "friction_dissipation", "penalty_energy", "initial_overlap", "penalty_factor"]
+           "friction_dissipation", "penalty_energy", "penalty_error", "penetration_over_approach", "initial_overlap",
+           "penalty_factor"]
 
 DECK = {
     "title": "Two blocks",

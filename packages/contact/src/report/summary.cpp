@@ -10,7 +10,7 @@ namespace {
 
 /// Sums and extremes over the points of one rank.
 struct Tally {
-  enum { force, area = 3, tangential, energy, dissipation, sums };
+  enum { force, area = 3, normal, tangential, energy, softness, dissipation, sums };
   enum { pressure, penetration, relative, gap, slip, overlap, rise, nearness, extremes };
   enum { points, paired, active, stick, slipping, flips, counts };
   double sum[sums] = {};
@@ -20,29 +20,44 @@ struct Tally {
   void raise(int which, double value) { largest[which] = std::max(largest[which], value); }
 };
 
-/// Twice the energy in the springs of the nodes, per area at a point.
-double node_spring(const InterfaceData& data, Local i) {
+/// Per area at a point.
+struct Springs {
+  double energy = 0.0;   ///< twice that in them
+  double softness = 0.0; ///< twice the work of the whole traction over their stretch
+};
+
+/// push: of the normal spring alone; pressure: that and the multiplier. A point that slides has the
+/// shear of its pressure, whatever the spring.
+Springs springs(double penalty, double push, double pressure, const SiteState& site,
+                bool augmented) {
+  const double shear2 = augmented ? 0.0 : dot(site.shear, site.shear);
+  return {(push * push + shear2) / penalty,
+          (pressure * push + (site.sticks() ? shear2 : 0.0)) / penalty};
+}
+
+/// The springs of the nodes.
+Springs node_springs(const InterfaceData& data, Local i) {
   const NodalArrays& nodes = data.nodal->arrays();
   const Local face = data.primary().face(i);
-  double sum = 0.0;
+  Springs sum;
   for (int a = 0; a < nodes.corners(face); ++a) {
     const NodeState& n = nodes.state(nodes.node(face, a));
     if (!n.site.active() || !(n.reading.penalty > 0.0))
       continue;
-    const double normal = n.reading.penalty * n.reading.gap;
-    const double shear = data.settings.augmented() ? 0.0 : dot(n.site.shear, n.site.shear);
-    sum += nodes.field_at(i, a) * (normal * normal + shear) / n.reading.penalty;
+    const Springs s = springs(n.reading.penalty, -n.reading.penalty * n.reading.gap,
+                              n.site.pressure, n.site, data.settings.augmented());
+    sum.energy += nodes.field_at(i, a) * s.energy;
+    sum.softness += nodes.field_at(i, a) * s.softness;
   }
   return sum;
 }
 
 /// The same of a point that holds the law itself.
-double point_spring(const InterfaceData& data, const PointState& s) {
+Springs point_springs(const InterfaceData& data, const PointState& s) {
   if (!(s.penalty > 0.0))
-    return 0.0;
-  const double normal = s.site.pressure - s.multiplier;
-  const double shear = data.settings.augmented() ? 0.0 : dot(s.site.shear, s.site.shear);
-  return (normal * normal + shear) / s.penalty;
+    return {};
+  return springs(s.penalty, s.site.pressure - s.multiplier, s.site.pressure, s.site,
+                 data.settings.augmented());
 }
 
 void add_pressed(const InterfaceData& data, Local i, Tally& t) {
@@ -54,8 +69,11 @@ void add_pressed(const InterfaceData& data, Local i, Tally& t) {
     t.sum[k] += weight * s.traction[k];
   t.sum[Tally::area] += data.primary().area(i);
   t.sum[Tally::tangential] += weight * norm(s.site.shear);
-  t.sum[Tally::energy] +=
-      0.5 * weight * (data.nodal ? node_spring(data, i) : point_spring(data, s));
+  t.sum[Tally::normal] += weight * s.site.pressure;
+  const Springs stretched = data.nodal ? node_springs(data, i) : point_springs(data, s);
+  t.sum[Tally::energy] += 0.5 * weight * stretched.energy;
+  if (data.settings.modulus > 0.0)
+    t.sum[Tally::softness] += 0.5 * weight * stretched.softness;
   t.raise(Tally::pressure, s.site.pressure * measure / data.primary().current_area(i));
   const double penetration = -data.points.net_gap(i);
   t.raise(Tally::penetration, penetration);
@@ -116,6 +134,8 @@ ContactSummary summarize(const InterfaceData& data) {
   s.area = t.sum[Tally::area];
   s.tangential = t.sum[Tally::tangential];
   s.penalty_energy = t.sum[Tally::energy];
+  s.normal = t.sum[Tally::normal];
+  s.softness = t.sum[Tally::softness];
   s.dissipation = t.sum[Tally::dissipation];
   const auto count = [&](int which) { return static_cast<Global>(t.count[which]); };
   s.points = count(Tally::points);

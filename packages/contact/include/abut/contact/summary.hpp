@@ -26,6 +26,11 @@ struct ContactSummary {
   double tangential = 0.0;      ///< integral of the size of the tangential traction [force]
   double max_slip = 0.0;        ///< longest way slipped since the start [length]
   double penalty_energy = 0.0;  ///< in the springs of penalty [energy]
+  double normal = 0.0;          ///< integral of the pressure [force]
+  /// Half the work of the present tractions over what they leave open: penetration and, without
+  /// multipliers, motion in stick. By penalty alone it is the energy of those springs. 0 between
+  /// rigid bodies, whose only stiffness the penalty is [energy]
+  double softness = 0.0;
   double dissipation = 0.0;     ///< by friction, since the start [energy]
   double initial_overlap = 0.0; ///< deepest at the start, see Settings::overlap_of [length]
   double facet_rise = 0.0; ///< largest difference then between the gap of the faces and that of the

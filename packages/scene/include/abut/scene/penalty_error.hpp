@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "abut/scene/state.hpp"
+
+#include <vector>
+
+namespace abut::scene {
+
+/// By how much contact is too soft because its surfaces sink into each other, as fractions: of the
+/// force where displacements are given, of the displacement where forces are.
+struct PenaltyError {
+  double whole = 0.0;           ///< of all interfaces together
+  std::vector<double> contacts; ///< what each adds to it
+  /// Largest penetration over the approach, the way by which linear bodies come together that store
+  /// the elastic energy of the model under the normal force of the interface: twice their quotient.
+  std::vector<double> penetration_over_approach;
+};
+
+/// Follows the states of a run, from its start on. Springs in series share the energy E as they share
+/// the way: with w = sum of ContactSummary::softness a linear model is too soft by w/E. One that
+/// stiffens is by 2 w E''/E'^2, with derivatives by t of the last two steps: more, up to twice as
+/// much. Not collective.
+class PenaltyWatch {
+public:
+  void look(const State& state);
+  const PenaltyError& error() const { return error_; } ///< of the last state
+
+private:
+  struct Stored {
+    double t = 0.0, energy = 0.0;
+  };
+  double stiffening() const;
+
+  std::vector<Stored> last_; ///< three at most
+  PenaltyError error_;
+};
+
+} // namespace abut::scene
