@@ -85,7 +85,7 @@ std::vector<std::string> warnings_of_penalty(const Model& m, const scene::Penalt
     }
   return {fmt::format(
       "{}: surfaces sink into each other so far that forces under given displacements, or "
-      "displacements under given forces, are off by about {:.2g} %: {}",
+      "displacements under given forces, are off by about {:.1f} %: {}",
       names, 100.0 * error.whole,
       by_penalty ? "take 'enforcement: augmented_lagrangian' or a larger penalty_factor"
                  : "ask for more augmentations (gap_tolerance, min_augmentations) or take a larger "

@@ -6,21 +6,31 @@
 
 namespace abut::scene {
 
+namespace {
+
+/// Bodies that hold less than this part of the energy are as good as rigid: the penalty is all the
+/// stiffness there is.
+constexpr double least_share = 1e-6;
+
+} // namespace
+
 void PenaltyWatch::look(const State& state) {
   double soft = 0.0;
   for (const auto& c : state.contacts)
     soft += c.softness;
-  const double energy = std::max(state.energy.stored, 0.0) + std::max(soft, 0.0);
+  const double of_bodies = std::max(state.energy.stored, 0.0) + state.energy.kinetic;
+  const double energy = of_bodies + std::max(soft, 0.0);
   if (last_.size() == 3)
     last_.erase(last_.begin());
   last_.push_back({state.time, energy});
   error_ = {};
-  const double scale = energy > 0.0 ? stiffening() / energy : 0.0;
+  const bool has_elastic = of_bodies > least_share * std::fabs(soft);
+  const double scale = has_elastic ? stiffening() / energy : 0.0;
   error_.whole = scale * std::fabs(soft);
   for (const auto& c : state.contacts) {
     error_.contacts.push_back(scale * std::fabs(c.softness));
-    error_.penetration_over_approach.push_back(
-        energy > 0.0 ? std::max(c.max_penetration, 0.0) * c.normal / (2.0 * energy) : 0.0);
+    const double pressed = c.normal > 0.0 ? c.max_penetration * c.normal : 0.0;
+    error_.penetration_over_approach.push_back(has_elastic ? pressed / (2.0 * energy) : 0.0);
   }
 }
 

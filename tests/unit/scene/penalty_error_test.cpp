@@ -56,3 +56,15 @@ TEST(PenaltyError, IsTheShareWhereLoadRestsOrFalls) {
   EXPECT_NEAR(after(10, [](double t) { return 1.0 - 0.5 * t * t * t; }).whole, 0.1, 1e-12);
   EXPECT_EQ(after(10, [](double) { return 0.0; }).whole, 0.0);
 }
+
+TEST(PenaltyError, IsNoneWhereNothingElseGives) {
+  scene::PenaltyWatch watch;
+  scene::State s;
+  s.contacts.resize(1);
+  s.contacts[0].softness = 1.0;
+  watch.look(s);
+  EXPECT_EQ(watch.error().whole, 0.0);
+  s.energy.kinetic = 3.0;
+  watch.look(s);
+  EXPECT_NEAR(watch.error().whole, 0.25, 1e-15);
+}
