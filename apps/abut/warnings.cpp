@@ -12,7 +12,7 @@ constexpr double deep = 0.5;       ///< in sizes of the face
 constexpr double too_soft = 0.02;  ///< of the force
 constexpr double main_share = 0.2; ///< of the largest error, which makes an interface worth naming
 
-}
+} // namespace
 
 std::vector<std::string> warnings_of_start(const Model& m) {
   std::vector<std::string> result;

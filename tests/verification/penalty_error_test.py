@@ -116,7 +116,7 @@ class PenaltyError(unittest.TestCase):
     def test_nothing_but_the_penalty_gives(self):
         """It is all the stiffness there is, between rigid bodies and where all nodes are held: nothing is too soft."""
         pressed = {"blocks": ["upper"], "rigid": {"free": ["z"], "force": [0, 0, -1]}}
-        held = {"foot": {"set": "lower_bottom", "fix": ["x", "y", "z"]}, "top": {"set": "lower_top", "fix": ["x", "y", "z"]}}
+        held = {side: {"set": side, "fix": ["x", "y", "z"]} for side in ("lower_bottom", "lower_top")}
         for lower, displacements in (({"blocks": ["lower"], "rigid": {}}, {}),
                                      ({"blocks": ["lower"], "material": "elastic"}, held)):
             deck = columns(penalty=100)

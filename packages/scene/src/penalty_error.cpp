@@ -39,7 +39,8 @@ double PenaltyWatch::stiffening() const {
   if (last_.size() < 3)
     return 1.0;
   const Stored &a = last_[0], &b = last_[1], &c = last_[2];
-  const double before = (b.energy - a.energy) / (b.t - a.t), after = (c.energy - b.energy) / (c.t - b.t);
+  const double before = (b.energy - a.energy) / (b.t - a.t),
+               after = (c.energy - b.energy) / (c.t - b.t);
   const double curvature = 2.0 * (after - before) / (c.t - a.t);
   const double slope = after + 0.5 * curvature * (c.t - b.t);
   const bool is_pressed_on = slope * c.t > c.energy; // else it is held, slides or is let go

@@ -22,11 +22,11 @@ struct ContactSummary {
   double max_penetration_over_face_size = 0.0;
   double min_gap = 0.0, max_gap = 0.0; ///< over points with a partner [length]
   Global points = 0, paired_points = 0;
-  double area = 0.0;            ///< reference area of active points [length^2]
-  double tangential = 0.0;      ///< integral of the size of the tangential traction [force]
-  double max_slip = 0.0;        ///< longest way slipped since the start [length]
-  double penalty_energy = 0.0;  ///< in the springs of penalty [energy]
-  double normal = 0.0;          ///< integral of the pressure [force]
+  double area = 0.0;           ///< reference area of active points [length^2]
+  double tangential = 0.0;     ///< integral of the size of the tangential traction [force]
+  double max_slip = 0.0;       ///< longest way slipped since the start [length]
+  double penalty_energy = 0.0; ///< in the springs of penalty [energy]
+  double normal = 0.0;         ///< integral of the pressure [force]
   /// Half the work of the present tractions over what they leave open: penetration and, without
   /// multipliers, motion in stick. By penalty alone it is the energy of those springs. 0 between
   /// rigid bodies, whose only stiffness the penalty is [energy]

@@ -8,8 +8,8 @@
 namespace abut::scene {
 
 /// By how much contact is too soft because its surfaces sink into each other, as fractions: of the
-/// force where displacements are given, of the displacement where forces are. 0 where the bodies store
-/// no energy: then the penalty is all the stiffness there is.
+/// force where displacements are given, of the displacement where forces are. 0 where the bodies
+/// store no energy: then the penalty is all the stiffness there is.
 struct PenaltyError {
   double whole = 0.0;           ///< of all interfaces together
   std::vector<double> contacts; ///< what each adds to it
@@ -18,8 +18,8 @@ struct PenaltyError {
   std::vector<double> penetration_over_approach;
 };
 
-/// Follows the states of a run, from its start on. With E the energy stored in bodies and springs, and
-/// in dynamics that of motion: springs in series share E as they share the way. With w = sum of
+/// Follows the states of a run, from its start on. With E the energy stored in bodies and springs,
+/// and in dynamics that of motion: springs in series share E as they share the way. With w = sum of
 /// ContactSummary::softness a linear model is too soft by w/E. One that
 /// stiffens is by 2 w E''/E'^2, with derivatives by t of the last two steps: more, up to twice as
 /// much. Not collective.
