@@ -27,7 +27,7 @@ public:
   bool self_contact() const { return self_; }
   const Vec3& origin() const { return origin_; }
 
-  /// Present position of a node of a secondary face of this rank, less the origin; after move().
+  /// Present position of a node of a secondary face of this rank, less the origin.
   Vec3 secondary_position(Local face, int a) const {
     const double* x = &x_secondary_[3 * std::size_t(secondary_.nodes[secondary_.offset[face] + a])];
     return {{x[0], x[1], x[2]}};
