@@ -91,6 +91,10 @@ class Fit(unittest.TestCase):
                 output = scenes.run(deck(**fit), quiet=False, command=command).output
                 self.assertIn("contact.pair: the flat faces of 'inner_outer' and 'outer_inner' miss the gap of the "
                               "round surfaces that they stand for by up to 0.00", output)
+        for element in ("hex20", "tet4"):
+            scene = scenes.merged(deck(-FIT, initial_gap="round"), {"mesh": {"generate": {"element": element}}})
+            self.assertIn("contact.pair: 'initial_gap: round' changes nothing: 'inner_outer' and 'outer_inner' have no "
+                          "flat faces with four corners that bend", scenes.run(scene, command="check").output)
         for quiet in (deck(-FIT, (10, 10)), deck(-FIT, (64, 80)), deck(), deck(-FIT, initial_overlap="adjust")):
             self.assertNotIn("initial_gap", scenes.run(quiet, quiet=False).output)
 

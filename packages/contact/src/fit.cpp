@@ -38,8 +38,13 @@ ContactSummary at_start(const Comm& comm, const mesh::Surface& primary,
 
 std::string warn_of_facets(const Comm& comm, const mesh::Surface& primary,
                            const mesh::Surface& secondary, const ContactOptions& options) {
-  if (options.initial_gap == InitialGap::round || options.tied ||
-      (is_flat(comm, primary) && is_flat(comm, secondary)))
+  const bool flat = is_flat(comm, primary) && is_flat(comm, secondary);
+  const std::string entry = "contact." + options.name + ": ";
+  if (options.initial_gap == InitialGap::round)
+    return flat ? entry + "'initial_gap: round' changes nothing: '" + primary.name + "' and '" +
+                      secondary.name + "' have no flat faces with four corners that bend"
+                : "";
+  if (flat || options.tied)
     return "";
   const ContactSummary start = at_start(comm, primary, secondary, options);
   const bool resolves = options.initial_overlap == InitialOverlap::resolve;
@@ -51,8 +56,8 @@ std::string warn_of_facets(const Comm& comm, const mesh::Surface& primary,
   char numbers[160];
   std::snprintf(numbers, sizeof numbers,
                 "by up to %.3g, and the fit at the start is %.3g: ", start.facet_rise, fit);
-  return "contact." + options.name + ": the flat faces of '" + primary.name + "' and '" +
-         secondary.name + "' miss the gap of the round surfaces that they stand for " + numbers +
+  return entry + "the flat faces of '" + primary.name + "' and '" + secondary.name +
+         "' miss the gap of the round surfaces that they stand for " + numbers +
          "'initial_gap: round' takes that out, where the bodies slide little";
 }
 
