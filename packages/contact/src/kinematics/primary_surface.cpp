@@ -28,8 +28,8 @@ std::vector<double> face_sizes(const mesh::Surface& s) {
   return sizes;
 }
 
-PrimarySurface::PrimarySurface(mesh::Surface surface, const Vec3& origin, std::optional<int> points,
-                               bool nodal)
+PrimarySurface::PrimarySurface(mesh::Surface surface, const Vec3& origin,
+                               std::optional<int> points, bool nodal)
     : surface_(std::move(surface)) {
   for (std::size_t k = 0; k < surface_.x.size(); ++k)
     surface_.x[k] -= origin[static_cast<int>(k % 3)];
