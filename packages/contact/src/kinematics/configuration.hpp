@@ -33,10 +33,13 @@ public:
     return {{x[0], x[1], x[2]}};
   }
 
-  /// By how much less than their faces the round surfaces stand apart at a point with this partner.
+  /// By how much less than their faces the round surfaces stand apart at a point with this partner;
+  /// without one, what the primary's own rise makes of it.
   double rise_between(Local point, const Partner& partner) const {
-    return rise_at(&primary_rise_[2 * std::size_t(points().face(point))], points().xi(point)) +
-           rise_at(&facing().face_rise(2 * partner.face), partner.xi);
+    const double own =
+        rise_at(&primary_rise_[2 * std::size_t(points().face(point))], points().xi(point));
+    return partner.face < 0 ? own
+                            : own + rise_at(&facing().face_rise(2 * partner.face), partner.xi);
   }
 
   /// Moves both surfaces to where the fields have them; the first time it is where they start.
