@@ -101,8 +101,8 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options,
   cheap.max_iterations = std::min(options.max_iterations, worthwhile_iterations(unknowns));
   auto krylov = std::make_unique<KrylovSolver>(cheap, system, log, KrylovRole::first);
   choose(krylov->uses().front().method + ", direct where that fails,");
-  return std::make_unique<EscalatingSolver>(std::move(krylov), std::make_unique<MumpsSolver>(), log,
-                                            timers);
+  return std::make_unique<EscalatingSolver>(std::move(krylov), std::make_unique<MumpsSolver>(),
+                                            unknowns > options.dear_limit, log, timers);
 }
 
 } // namespace abut::solver
