@@ -208,8 +208,10 @@ std::vector<solver::LinearUse> used_methods(const solver::LinearSolver& linear) 
 
 void say_what_linear_solves_cost(const std::vector<solver::LinearUse>& used, Progress& progress) {
   for (const solver::LinearUse& use : used)
-    progress.line(fmt::format("linear solver: {}  {} systems  {} iterations  {} setups  {:.2f} s{}",
+    progress.line(fmt::format("linear solver: {}  {} systems  {} iterations  {} setups  {:.2f} s, "
+                              "{:.2f} of them for setups{}",
                               use.method, use.systems, use.iterations, use.setups, use.seconds,
+                              use.setup_seconds,
                               use.failures > 0 ? fmt::format("  failed on {}", use.failures) : ""));
 }
 

@@ -89,9 +89,13 @@ Json rigid_json(const Model& m, const scene::State& s) {
 Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
   Json all = Json::object();
   for (const solver::LinearUse& use : uses)
-    all[use.method] = {{"systems", use.systems},       {"solves", use.solves},
-                       {"iterations", use.iterations}, {"setups", use.setups},
-                       {"failures", use.failures},     {"seconds", comm.max(use.seconds)}};
+    all[use.method] = {{"systems", use.systems},
+                       {"solves", use.solves},
+                       {"iterations", use.iterations},
+                       {"setups", use.setups},
+                       {"failures", use.failures},
+                       {"seconds", comm.max(use.seconds)},
+                       {"setup_seconds", comm.max(use.setup_seconds)}};
   return all;
 }
 

@@ -99,8 +99,11 @@ class Orders(unittest.TestCase):
                     self.assertLess(run.contact["max_penetration"] * run.cells, 1e-6)
                     if not self.friction and self.formulation != "node_on_facet":
                         points = 2 * run.cells * (k + 1)**2
-                        self.assertEqual(run.contact["active_points"],
-                                         points // 2 if kind == "partial" else points)
+                        # Pressure rises as a square from the edge of contact: at the column of points next to it,
+                        # 1e-4 of the largest on 32 hex20, it is less than the error of pressures.
+                        column = 2 * (k + 1) if kind == "partial" else 0
+                        self.assertAlmostEqual(run.contact["active_points"],
+                                               points // 2 if kind == "partial" else points, delta=column)
 
     def default(self, kind, share=1.0):
         """Orders of the default multipliers."""

@@ -50,6 +50,14 @@ class Fit(unittest.TestCase):
                 self.assertAlmostEqual(self.share(scenes.run(deck(initial_gap="round", **fit, **space))), 1,
                                        delta=TOLERANCE)
 
+    def test_what_is_resolved_or_adjusted_is_round(self):
+        for fit in ({"gap": -FIT, "initial_overlap": "resolve"}, {"offset": FIT, "initial_overlap": "adjust"}):
+            given, automatic = (scenes.run(deck(**fit, **gap)) for gap in ({"initial_gap": "round"}, {}))
+            self.assertEqual(list(automatic.force()), list(given.force()))
+            self.assertIn("initial gap: of the round surfaces, automatic", scenes.run(deck(**fit), command="check").output)
+        given, automatic = (scenes.run(deck(-FIT, **gap)) for gap in ({"initial_gap": "mesh"}, {}))
+        self.assertEqual(list(automatic.force()), list(given.force()))
+
     def test_sides_formulations_meshes_ranks(self):
         for primary, formulation, (theta, ranks) in itertools.product(
                 ("inner_outer", "outer_inner"), ("facet_on_facet", "sliding_elastic", "node_on_facet"),
@@ -58,8 +66,11 @@ class Fit(unittest.TestCase):
             if nodes and theta != (10, 10):
                 continue  # wrong by what the mesh ratio says
             with self.subTest(primary=primary, formulation=formulation, theta=theta, ranks=ranks):
-                result = scenes.run(deck(-FIT, theta, primary=primary, formulation=formulation, initial_gap="round",
-                                         initial_overlap="resolve", penalty_factor=50), ranks=ranks)
+                scene = deck(-FIT, theta, primary=primary, formulation=formulation, initial_gap="round",
+                             initial_overlap="resolve", penalty_factor=50)
+                result = scenes.run(scene, ranks=ranks)
+                if ranks > 1:
+                    self.assertAlmostEqual(self.share(result), self.share(scenes.run(scene)), delta=1e-9)
                 # a node between two hollow faces takes the normal of one of them
                 self.assertAlmostEqual(self.share(result), 1, delta=0.06 if nodes else TOLERANCE)
 
@@ -83,12 +94,16 @@ class Fit(unittest.TestCase):
     def test_flat_faces_are_named(self):
         sagitta = B * (1 - math.cos(math.pi / 4 / 8))
         self.assertGreater(sagitta, FIT)
-        for fit in ({"gap": -FIT, "initial_overlap": "resolve"}, {"offset": FIT}):
+        for fit in ({"gap": -FIT, "initial_overlap": "resolve", "initial_gap": "mesh"}, {"offset": FIT}):
             for command in ("run", "check"):
                 output = scenes.run(deck(**fit), quiet=False, command=command).output
                 self.assertIn("contact.pair: the flat faces of 'inner_outer' and 'outer_inner' miss the gap of the "
                               "round surfaces that they stand for by up to 0.00", output)
-        for quiet in (deck(-FIT, (10, 10)), deck(-FIT, (64, 80)), deck(), deck(-FIT, initial_overlap="adjust")):
+        for element in ("hex20", "tet4"):
+            scene = scenes.merged(deck(-FIT, initial_gap="round"), {"mesh": {"generate": {"element": element}}})
+            self.assertIn("contact.pair: 'initial_gap: round' changes nothing: 'inner_outer' and 'outer_inner' have no "
+                          "flat faces with four corners that bend", scenes.run(scene, command="check").output)
+        for quiet in (deck(-FIT, initial_overlap="resolve"), deck(-FIT, (10, 10)), deck(-FIT, (64, 80)), deck(), deck(-FIT, initial_overlap="adjust")):
             self.assertNotIn("initial_gap", scenes.run(quiet, quiet=False).output)
 
 

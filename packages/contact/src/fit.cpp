@@ -20,17 +20,15 @@ bool is_flat(const Comm& comm, const mesh::Surface& surface) {
   return !comm.any(std::any_of(rises.begin(), rises.end(), [](double r) { return r != 0.0; }));
 }
 
-/// The interface where it starts, evaluated once.
-ContactSummary at_start(const Comm& comm, const mesh::Surface& primary,
-                        const mesh::Surface& secondary, const ContactOptions& options) {
-  PhaseTimers timers;
-  Interaction probe(comm, primary, secondary, options, timers);
+/// The interface evaluated once, where it starts.
+ContactSummary at_start(Interaction& probe, const mesh::Surface& primary,
+                        const mesh::Surface& secondary) {
   Local rows = 0;
   for (const mesh::Surface* s : {&primary, &secondary})
     for (const Local n : s->field_index)
       rows = std::max(rows, n + 1);
   const std::vector<double> u(3 * std::size_t(rows), 0.0);
-  probe.prepare({u.data(), 3, options.window.from});
+  probe.prepare({u.data(), 3, probe.settings().window.from});
   return probe.summary();
 }
 
@@ -38,10 +36,19 @@ ContactSummary at_start(const Comm& comm, const mesh::Surface& primary,
 
 std::string warn_of_facets(const Comm& comm, const mesh::Surface& primary,
                            const mesh::Surface& secondary, const ContactOptions& options) {
-  if (options.initial_gap == InitialGap::round || options.tied ||
-      (is_flat(comm, primary) && is_flat(comm, secondary)))
+  const bool flat = is_flat(comm, primary) && is_flat(comm, secondary);
+  const std::string entry = "contact." + options.name + ": ";
+  if (options.initial_gap == InitialGap::round)
+    return flat ? entry + "'initial_gap: round' changes nothing: '" + primary.name + "' and '" +
+                      secondary.name + "' have no flat faces with four corners that bend"
+                : "";
+  if (flat || options.tied)
     return "";
-  const ContactSummary start = at_start(comm, primary, secondary, options);
+  PhaseTimers timers;
+  Interaction probe(comm, primary, secondary, options, timers);
+  if (probe.settings().initial_gap == InitialGap::round)
+    return "";
+  const ContactSummary start = at_start(probe, primary, secondary);
   const bool resolves = options.initial_overlap == InitialOverlap::resolve;
   const double meshes =
       options.initial_overlap == InitialOverlap::adjust ? 0.0 : start.initial_overlap;
@@ -51,8 +58,8 @@ std::string warn_of_facets(const Comm& comm, const mesh::Surface& primary,
   char numbers[160];
   std::snprintf(numbers, sizeof numbers,
                 "by up to %.3g, and the fit at the start is %.3g: ", start.facet_rise, fit);
-  return "contact." + options.name + ": the flat faces of '" + primary.name + "' and '" +
-         secondary.name + "' miss the gap of the round surfaces that they stand for " + numbers +
+  return entry + "the flat faces of '" + primary.name + "' and '" + secondary.name +
+         "' miss the gap of the round surfaces that they stand for " + numbers +
          "'initial_gap: round' takes that out, where the bodies slide little";
 }
 

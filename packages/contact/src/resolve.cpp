@@ -133,6 +133,12 @@ void set_augmentation(Settings& s, const ContactOptions& o) {
   s.max_augmentations = o.max_augmentations;
 }
 
+InitialGap initial_gap(const ContactOptions& o) {
+  if (o.initial_gap != InitialGap::automatic)
+    return o.initial_gap;
+  return o.initial_overlap == InitialOverlap::keep ? InitialGap::mesh : InitialGap::round;
+}
+
 std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
@@ -216,7 +222,7 @@ Settings resolve(const ContactOptions& o, const SideComparison& sides) {
   s.stick_strength = o.stick_strength.value_or(s.stick_strength);
   s.offset = o.offset;
   s.initial_overlap = o.initial_overlap;
-  s.initial_gap = o.initial_gap;
+  s.initial_gap = initial_gap(o);
   s.points = o.points;
   s.reach = o.reach;
   s.projection_margin = o.projection_margin;
@@ -239,6 +245,10 @@ std::string explain(const ContactOptions& o, const Settings& s) {
   text += explain_penalty(o, s);
   if (s.augmented())
     text += explain_space(o, s) + explain_augmentation(s);
+  if (s.initial_overlap != InitialOverlap::keep)
+    text += std::string("initial gap: ") +
+            (s.initial_gap == InitialGap::round ? "of the round surfaces" : "of the meshes") +
+            (o.initial_gap == InitialGap::automatic ? ", automatic\n" : ", given\n");
   if (s.friction > 0.0)
     text += "friction: mu = " + number(s.friction) + ", map " + word(s.friction_map) +
             (o.friction_map == FrictionMap::automatic ? ", automatic\n" : ", given\n");

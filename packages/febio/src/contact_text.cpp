@@ -209,8 +209,10 @@ private:
       line_unless("offset", c.number("offset"), 0.0);
     line_unless("projection_margin", c.number("search_tol"), 0.01);
     line_unless("segment_updates", c.number("seg_up"), 0.0);
-    if (c.flag("node_reloc"))
+    if (c.flag("node_reloc")) {
       line("initial_overlap", "adjust  # FEBio: node_reloc, which moves the nodes instead");
+      line("initial_gap", "mesh");
+    }
     if (c.is_tied() || c.is_sticky())
       return;
     const double radius = c.number("search_radius");

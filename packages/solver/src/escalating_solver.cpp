@@ -13,10 +13,10 @@ constexpr int first_spared = 3, most_spared = 1000;
 } // namespace
 
 EscalatingSolver::EscalatingSolver(std::unique_ptr<LinearSolver> cheap,
-                                   std::unique_ptr<LinearSolver> sure, LogSink log,
+                                   std::unique_ptr<LinearSolver> sure, bool dear, LogSink log,
                                    PhaseTimers* timers)
     : LinearSolver("automatic", timers), cheap_(std::move(cheap)), sure_(std::move(sure)),
-      log_(std::move(log)), next_spared_(first_spared) {}
+      log_(std::move(log)), dear_(dear), next_spared_(first_spared) {}
 
 void EscalatingSolver::forget() {
   cheap_->forget();
@@ -42,8 +42,10 @@ void EscalatingSolver::do_setup(const RCP<const Matrix>& matrix, long graph_vers
 
 LinearResult EscalatingSolver::do_solve(const Vector& b, Vector& x, double tolerance) {
   LinearResult result;
-  if (!use_sure_ && attempt([&] { result = cheap_->solve(b, x, tolerance); }))
+  if (!use_sure_ && attempt([&] { result = cheap_->solve(b, x, tolerance); })) {
+    passed_on_ = false;
     return result;
+  }
   if (!sure_is_set_up_)
     sure_->setup(matrix_, graph_version_, symmetric_);
   sure_is_set_up_ = true;
@@ -55,6 +57,9 @@ template <class Work> bool EscalatingSolver::attempt(Work work) {
     work();
     return true;
   } catch (const SolveError& e) {
+    passed_on_ = dear_ && !passed_on_;
+    if (passed_on_)
+      throw;
     give_up(e.what());
     return false;
   }

@@ -11,10 +11,13 @@ namespace abut::solver {
 /// very same system is then solved by the other. After each failure the cheap one is spared twice
 /// as many matrices as after the one before, and then tried again: one hard state does not decide
 /// over a whole run, and a hard run loses little.
+/// Where the sure one is dear, the error is passed on first, for a shorter load step mostly leads
+/// around the hard state; the sure one is for a matrix on which the cheap one fails right after
+/// that.
 class EscalatingSolver : public LinearSolver {
 public:
   EscalatingSolver(std::unique_ptr<LinearSolver> cheap, std::unique_ptr<LinearSolver> sure,
-                   LogSink log, PhaseTimers* timers = nullptr);
+                   bool dear, LogSink log, PhaseTimers* timers = nullptr);
 
   void forget() override;
   std::vector<LinearUse> uses() const override;
@@ -28,6 +31,8 @@ private:
 
   std::unique_ptr<LinearSolver> cheap_, sure_;
   LogSink log_;
+  bool dear_;              ///< the sure one takes far longer than the cheap one
+  bool passed_on_ = false; ///< the last error; nothing has been solved since
   RCP<const Matrix> matrix_;
   long graph_version_ = 0;
   bool symmetric_ = false;

@@ -19,6 +19,8 @@ namespace abut::solver {
 
 namespace {
 
+/// Makes a preconditioner; whether it did.
+using SetupWork = std::function<bool()>;
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 
 constexpr double max_growth = 1.5;   ///< of the iterations with a preconditioner that is kept
@@ -44,8 +46,9 @@ std::string scientific(double x) {
 class KrylovSolver::Implementation {
 public:
   Implementation(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
-                 KrylovRole role, std::function<void()> count_setup)
-      : options_(options), log_(std::move(log)), role_(role), count_setup_(std::move(count_setup)),
+                 KrylovRole role, std::function<void(const SetupWork&)> measured_setup)
+      : options_(options), log_(std::move(log)), role_(role),
+        measured_setup_(std::move(measured_setup)),
         preconditioning_(make_preconditioning(options, system, log_)) {
     Teuchos::ParameterList probe; // unreadable lists are reported before anything is solved
     merge_parameter_text(options_.belos, "Belos", probe);
@@ -102,9 +105,11 @@ private:
 
   void build_preconditioner() {
     try {
-      preconditioner_ = preconditioning_->build(matrix_, symmetric_);
+      measured_setup_([this] {
+        preconditioner_ = preconditioning_->build(matrix_, symmetric_);
+        return true;
+      });
       kept_ = 0;
-      count_setup_();
     } catch (const Teuchos::Exceptions::InvalidParameter& e) {
       throw InputError(std::string("The list of the preconditioner is not one: ") + e.what());
     } catch (const std::exception& e) {
@@ -113,8 +118,7 @@ private:
     }
   }
 
-  /// Prolongators of another state of stick and slip are not to be trusted: unsymmetric matrices
-  /// get their own each time.
+  /// An unsymmetric matrix changes with stick and slip: its coarse matrices are renewed each time.
   void keep_or_renew(const RCP<const Matrix>& matrix, bool same_graph) {
     if (symmetric_ && same_graph && kept_ < most_kept)
       ++kept_;
@@ -126,7 +130,10 @@ private:
   void renew(const RCP<const Matrix>& matrix, bool same_graph) {
     RCP<Operator> renewed;
     try {
-      renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
+      measured_setup_([&] {
+        renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
+        return !renewed.is_null();
+      });
     } catch (const std::exception& e) {
       forget();
       return;
@@ -135,7 +142,6 @@ private:
       return;
     preconditioner_ = renewed;
     kept_ = 0;
-    count_setup_();
   }
 
   /// Nothing when the tolerance is not met within `limit` iterations.
@@ -193,7 +199,7 @@ private:
   LinearOptions options_;
   LogSink log_;
   KrylovRole role_;
-  std::function<void()> count_setup_;
+  std::function<void(const SetupWork&)> measured_setup_;
   std::unique_ptr<Preconditioning> preconditioning_;
   bool symmetric_ = false;
   long graph_version_ = -1;
@@ -208,8 +214,9 @@ private:
 KrylovSolver::KrylovSolver(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
                            KrylovRole role, PhaseTimers* timers)
     : LinearSolver(std::string("krylov with ") + name(options.preconditioner), timers),
-      implementation_(std::make_unique<Implementation>(options, system, std::move(log), role,
-                                                       [this] { count_setup(); })) {}
+      implementation_(std::make_unique<Implementation>(
+          options, system, std::move(log), role,
+          [this](const SetupWork& work) { measured_setup(work); })) {}
 
 KrylovSolver::~KrylovSolver() = default;
 

@@ -17,6 +17,7 @@ namespace {
 constexpr int max_halvings = 8;
 constexpr int max_evaluations = 5; ///< of the residual, in the search for the root of the slope
 constexpr double accept_full = 0.9, accept_root = 0.5;
+constexpr int most_turns = 2; ///< of shortest and whole steps
 
 } // namespace
 
@@ -50,10 +51,15 @@ bool SlopeLineSearch::compute(NOX::Abstract::Group& group, double& step,
   const bool better = indefinite_ && group.getNormF() < old_->getNormF();
   const bool overshoots = slope * slope_start < 0.0 && !better;
   if (!overshoots || std::abs(slope) <= accept_full * std::abs(slope_start) || step <= floor_) {
-    floor_ = first_floor;
+    turns_ = whole_ ? 0 : turns_;
+    if (turns_ < most_turns)
+      floor_ = first_floor;
+    whole_ = true;
     return true;
   }
   step = seek_root(step, slope_start, slope);
+  turns_ += whole_ && step == floor_;
+  whole_ = false;
   floor_ = std::min(1.0, 2.0 * floor_);
   return true;
 }

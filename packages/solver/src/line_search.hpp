@@ -13,7 +13,8 @@ namespace abut::solver {
 ///   sought by regula falsi (Matthies and Strang 1979, with the Illinois weights).
 /// A stiff contact that closes within the step has its root at the first touch; were that step
 /// taken each time, faces would close one by one. The shortest step is therefore 0.1, and doubles
-/// with every iteration in a row that the slope shortened.
+/// with every iteration in a row that the slope shortened. Where shortest and whole steps take turns,
+/// stiff springs close and open: whole steps then no longer bring the floor down.
 /// With multipliers among the unknowns the slope alone says little: the full step is also taken
 /// where it makes the residual smaller.
 class SlopeLineSearch : public NOX::LineSearch::Generic {
@@ -32,6 +33,8 @@ private:
   const NOX::Abstract::Group* old_ = nullptr;
   const NOX::Abstract::Vector* direction_ = nullptr;
   double floor_ = first_floor;
+  bool whole_ = true; ///< the last step
+  int turns_ = 0;     ///< shortest steps after whole ones, since two whole ones in a row
   bool indefinite_;
   std::string failure_;
 };

@@ -10,7 +10,6 @@
 #include "preconditioning.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -45,10 +44,8 @@ int worthwhile_iterations(long long unknowns) {
 
 template <class Work> void LinearSolver::measured(Work work) {
   const OptionalScope scope(timers_, Phase::linear_solve);
-  const auto start = std::chrono::steady_clock::now();
-  const auto stop = [&] {
-    use_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const Stopwatch watch;
+  const auto stop = [&] { use_.seconds += watch.seconds(); };
   try {
     work();
   } catch (const SolveError&) {
@@ -104,8 +101,8 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options,
   cheap.max_iterations = std::min(options.max_iterations, worthwhile_iterations(unknowns));
   auto krylov = std::make_unique<KrylovSolver>(cheap, system, log, KrylovRole::first);
   choose(krylov->uses().front().method + ", direct where that fails,");
-  return std::make_unique<EscalatingSolver>(std::move(krylov), std::make_unique<MumpsSolver>(), log,
-                                            timers);
+  return std::make_unique<EscalatingSolver>(std::move(krylov), std::make_unique<MumpsSolver>(),
+                                            unknowns > options.dear_limit, log, timers);
 }
 
 } // namespace abut::solver

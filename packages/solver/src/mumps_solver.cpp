@@ -257,8 +257,7 @@ void MumpsSolver::do_setup(const RCP<const Matrix>& matrix, long graph_version, 
   matrix_ = matrix;
   if (!instance_ || !instance_->fits(*matrix->getRowMap(), symmetric))
     instance_ = std::make_unique<Instance>(matrix->getRowMap(), symmetric, joints_);
-  if (instance_->factor(*matrix, graph_version))
-    count_setup();
+  measured_setup([&] { return instance_->factor(*matrix, graph_version); });
 }
 
 LinearResult MumpsSolver::do_solve(const Vector& b, Vector& x, double) {

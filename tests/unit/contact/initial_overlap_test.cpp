@@ -22,6 +22,7 @@ protected:
     ContactOptions o = abut::contact::testing::options(std::get<0>(GetParam()));
     o.multipliers = std::get<1>(GetParam());
     o.initial_overlap = treatment;
+    o.initial_gap = InitialGap::mesh; // else resolved surfaces are round, kept ones are not
     o.offset = offset;
     DualScene scene(std::get<0>(GetParam()).primary, std::get<0>(GetParam()).secondary, o, 0.01);
     scene.system.evaluate(*scene.pair, false, 0.0);

@@ -46,10 +46,10 @@ scene::Options two_blocks() {
   return o;
 }
 
-std::shared_ptr<const mesh::Mesh> make_mesh() {
+std::shared_ptr<const mesh::Mesh> make_mesh(double gap = -0.01) {
   const Comm comm(MPI_COMM_WORLD);
   meshgen::BlockPairOptions o;
-  o.gap = -0.01;
+  o.gap = gap;
   return std::make_shared<const mesh::Mesh>(
       mesh::distribute(comm.is_root() ? meshgen::block_pair(o) : mesh::MeshData{}, comm));
 }
@@ -68,8 +68,8 @@ template <class Work> std::string message_of(const Work& work) {
 }
 
 /// The scene with contact evaluated where it starts.
-scene::Scene at_rest(const scene::Options& options, PhaseTimers& timers) {
-  scene::Scene s = scene::build_scene(options, make_mesh(), timers, where);
+scene::Scene at_rest(const scene::Options& options, PhaseTimers& timers, double gap = -0.01) {
+  scene::Scene s = scene::build_scene(options, make_mesh(gap), timers, where);
   Vector x(s.equations->dofs().map()), f(x.getMap());
   s.equations->residual(x, f);
   return s;
@@ -132,6 +132,23 @@ TEST(Scene, ContactThatPressesNowhereChangesNoField) {
     EXPECT_EQ(fields.traction, alone.traction);
     EXPECT_EQ(fields.status, alone.status);
   }
+}
+
+TEST(Scene, ContactOutsideItsWindowChangesNoField) {
+  PhaseTimers timers;
+  scene::Options options = two_blocks();
+  const scene::Scene one = at_rest(options, timers, 0.02);
+  const scene::ContactFields alone = scene::contact_fields(*one.mesh, one.contacts);
+  options.contact.push_back(options.contact[0]);
+  options.contact[1].name = "later";
+  options.contact[1].window.from = 0.5;
+  const scene::Scene two = at_rest(options, timers, 0.02);
+  const scene::ContactFields fields = scene::contact_fields(*two.mesh, two.contacts);
+  EXPECT_EQ(fields.gap, alone.gap);
+  double most = 0.0;
+  for (const double gap : fields.gap)
+    most = std::max(most, gap);
+  EXPECT_NEAR(two.mesh->comm.max(most), 0.02, 1e-12);
 }
 
 TEST(Scene, AddsWhatSeveralContactsExert) {

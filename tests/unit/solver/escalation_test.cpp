@@ -62,6 +62,19 @@ solver::LoadResult two_steps(PulledBlock& block, solver::LinearSolver& linear, V
   return solver::LoadStepping(loop, time).run(block, x);
 }
 
+TEST(Escalation, AShorterStepComesBeforeADearFactorization) {
+  PulledBlock block(6);
+  LinearOptions options = krylov_first(1);
+  options.dear_limit = 0;
+  const auto linear = solver::make_linear_solver(options, block);
+  Vector x(block.map());
+  const auto result = two_steps(block, *linear, x);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_GE(result.counters.cut_backs, 1);
+  EXPECT_GE(linear->uses()[0].failures, 2);
+  EXPECT_GE(linear->uses()[1].solves, 1);
+}
+
 TEST(Escalation, TheStepGoesOnWhereKrylovFails) {
   PulledBlock block(6);
   Log log;

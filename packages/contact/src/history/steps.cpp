@@ -33,6 +33,7 @@ void begin_point(InterfaceData& data, const PartnerSearch& search, Local i) {
   const auto at = data.primary().at(i);
   const double nowhere[2] = {0.0, 0.0};
   const Partner best = search.find(search.query(i, at, -1, nowhere));
+  data.points.history(i).rise = data.place.rise_between(i, best);
   if (best.face < 0)
     return;
   PointIterate& iterate = data.points.iterate(i);
@@ -40,7 +41,6 @@ void begin_point(InterfaceData& data, const PartnerSearch& search, Local i) {
   std::copy_n(best.xi, 2, iterate.near_xi);
   PointHistory& history = data.points.history(i);
   history.gap = best.gap;
-  history.rise = data.place.rise_between(i, best);
   const double start = best.gap - data.terms.rise * history.rise;
   history.overlap = o.overlap_of(start);
   const double gap = start - o.offset, size = data.primary().size(data.primary().face(i));

@@ -65,11 +65,11 @@ Configuration::Configuration(const Comm& comm, mesh::Surface primary, mesh::Surf
   for (Local f = 0; f < points().faces(); ++f)
     smallest_size_ = std::min(smallest_size_, points().size(f));
   smallest_size_ = comm_.min(smallest_size_);
+  x_secondary_ = secondary_.x;
 }
 
 void Configuration::move(const NodalFields& fields) {
   primary_.move(fields.u, fields.fields);
-  x_secondary_.resize(secondary_.x.size());
   for (std::size_t n = 0; n < secondary_.node.size(); ++n)
     for (std::size_t i = 0; i < 3; ++i)
       x_secondary_[3 * n + i] =

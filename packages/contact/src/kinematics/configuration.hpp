@@ -27,16 +27,19 @@ public:
   bool self_contact() const { return self_; }
   const Vec3& origin() const { return origin_; }
 
-  /// Present position of a node of a secondary face of this rank, less the origin; after move().
+  /// Present position of a node of a secondary face of this rank, less the origin.
   Vec3 secondary_position(Local face, int a) const {
     const double* x = &x_secondary_[3 * std::size_t(secondary_.nodes[secondary_.offset[face] + a])];
     return {{x[0], x[1], x[2]}};
   }
 
-  /// By how much less than their faces the round surfaces stand apart at a point with this partner.
+  /// By how much less than their faces the round surfaces stand apart at a point with this partner;
+  /// without one, what the primary's own rise makes of it.
   double rise_between(Local point, const Partner& partner) const {
-    return rise_at(&primary_rise_[2 * std::size_t(points().face(point))], points().xi(point)) +
-           rise_at(&facing().face_rise(2 * partner.face), partner.xi);
+    const double own =
+        rise_at(&primary_rise_[2 * std::size_t(points().face(point))], points().xi(point));
+    return partner.face < 0 ? own
+                            : own + rise_at(&facing().face_rise(2 * partner.face), partner.xi);
   }
 
   /// Moves both surfaces to where the fields have them; the first time it is where they start.

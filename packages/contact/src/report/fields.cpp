@@ -37,7 +37,7 @@ NodalSums primary_sums(const InterfaceData& data) {
       }
       s.area[place] += share;
       s.weight[node] += share;
-      s.seen[node] += share;
+      s.seen[node] += data.acts ? share : 0.0;
       s.pressure[node] += share * cauchy * pressure;
       s.gap[node] += share * state.gap;
       s.slip[node] += share * data.points.history(p).path;

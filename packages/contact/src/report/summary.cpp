@@ -90,9 +90,9 @@ Tally tally(const InterfaceData& data) {
     t.sum[Tally::dissipation] += history.dissipated;
     t.raise(Tally::slip, history.path);
     t.raise(Tally::overlap, history.overlap);
-    t.raise(Tally::rise, std::fabs(history.rise));
     if (s.facing < 0)
       continue;
+    t.raise(Tally::rise, std::fabs(history.rise));
     t.count[Tally::paired] += 1.0;
     t.raise(Tally::nearness, -s.gap);
     t.raise(Tally::gap, s.gap);

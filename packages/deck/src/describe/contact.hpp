@@ -126,7 +126,8 @@ template <class V> void describe_ties(V& v, contact::ContactOptions& o) {
            "what becomes of an overlap of the meshes");
   using contact::InitialGap;
   v.choice("initial_gap", o.initial_gap,
-           {{"mesh", InitialGap::mesh, "of the faces as they are"},
+           {{"automatic", InitialGap::automatic, "round, but mesh with initial_overlap: keep"},
+            {"mesh", InitialGap::mesh, "of the faces as they are"},
             {"round", InitialGap::round,
              "of the round surfaces that four-cornered flat faces stand for; for fits that slide "
              "little"}},

@@ -37,8 +37,9 @@ enum class InitialOverlap {
 
 /// Which surfaces the gaps at the start are measured between.
 enum class InitialGap {
-  mesh,  ///< the faces of the meshes
-  round, ///< the round surfaces that flat faces stand for, while bodies slide little
+  automatic, ///< round where an overlap is resolved or adjusted, mesh where it is kept
+  mesh,      ///< the faces of the meshes
+  round,     ///< the round surfaces that flat faces stand for, while bodies slide little
 };
 
 /// What becomes of the distance that a tied point has from its partner at the start.
@@ -114,7 +115,7 @@ struct ContactOptions {
   std::optional<double> stick_strength; ///< normal tension that it stands; none: any [pressure]
   double offset = 0.0; ///< gap that counts as closed: half a shell, an interference [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
-  InitialGap initial_gap = InitialGap::mesh;
+  InitialGap initial_gap = InitialGap::automatic;
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
 

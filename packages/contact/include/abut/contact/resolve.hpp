@@ -46,7 +46,7 @@ struct Settings {
   double stick_strength = std::numeric_limits<double>::infinity(); ///< [pressure]
   double offset = 0.0;                                             ///< [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
-  InitialGap initial_gap = InitialGap::mesh;
+  InitialGap initial_gap = InitialGap::mesh; ///< never automatic
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
   double reach = 3.0;

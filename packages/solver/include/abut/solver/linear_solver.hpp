@@ -6,6 +6,7 @@
 #include "abut/core/trilinos_fwd.hpp"
 #include "abut/solver/options.hpp"
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,13 +22,24 @@ struct LinearResult {
 
 /// What one method has done in a run, failures included.
 struct LinearUse {
-  std::string method;       ///< as options name it
-  long long systems = 0;    ///< matrices with which it solved
-  long long solves = 0;     ///< right-hand sides solved for
-  long long iterations = 0; ///< of these solves; a direct solve counts one
-  long long setups = 0;     ///< factorizations, or hierarchies built or renewed
-  long long failures = 0;   ///< matrices that it gave up on
-  double seconds = 0.0;     ///< wall time on this rank
+  std::string method;         ///< as options name it
+  long long systems = 0;      ///< matrices with which it solved
+  long long solves = 0;       ///< right-hand sides solved for
+  long long iterations = 0;   ///< of these solves; a direct solve counts one
+  long long setups = 0;       ///< factorizations, or hierarchies built or renewed
+  long long failures = 0;     ///< matrices that it gave up on
+  double seconds = 0.0;       ///< wall time on this rank
+  double setup_seconds = 0.0; ///< of these for setups
+};
+
+class Stopwatch {
+public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// Solves A x = b again and again for matrices of one row distribution. Every member is collective.
@@ -61,7 +73,8 @@ public:
   virtual std::vector<LinearUse> uses() const { return {use_}; }
 
 protected:
-  void count_setup() { ++use_.setups; }
+  /// `work` makes factors or a hierarchy; whether it did is what it returns.
+  template <class Work> void measured_setup(Work work);
 
 private:
   virtual void do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) = 0;
@@ -72,6 +85,13 @@ private:
   LinearUse use_;
   bool solved_ = false, failed_ = false; ///< with the present matrix
 };
+
+template <class Work> void LinearSolver::measured_setup(Work work) {
+  const Stopwatch watch;
+  const bool made = work();
+  use_.setup_seconds += watch.seconds();
+  use_.setups += made;
+}
 
 /// The solver that `options` ask for. Automatic: direct up to `direct_limit` unknowns and where
 /// multipliers are among the unknowns, Krylov beyond, and direct there too (with a warning to

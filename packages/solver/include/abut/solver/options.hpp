@@ -24,6 +24,9 @@ enum class LineSearch { automatic, none };
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
   long long direct_limit = 2500;
+  /// Beyond so many a factorization takes minutes and gigabytes (at 325,000 more than 9 of each):
+  /// where Krylov fails, automatic tries a shorter step first.
+  long long dear_limit = 150'000;
   Preconditioner preconditioner = Preconditioner::automatic;
   /// Of a Krylov solve, relative residual; none: as exact as Newton has use for. [1]
   std::optional<double> tolerance;
