@@ -54,7 +54,7 @@ Json contact_json(const Model& m, const scene::State& s, const scene::PenaltyErr
         {"penalty_error", penalty.contacts[i]},
         {"penetration_over_approach", penalty.penetration_over_approach[i]},
         {"initial_overlap", c.initial_overlap},
-        {"penalty_factor", m.contacts[i]->penalty_factor()}};
+        {"penalty_factor", c.penalty_factor}};
   }
   return all;
 }

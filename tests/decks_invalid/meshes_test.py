@@ -156,7 +156,7 @@ class InvalidMesh(unittest.TestCase):
         self.check({"mesh": {"generate": {"kind": "blocks", "gap": 0.1}},
                     "displacements": {"top": None}},
                    r"\S*scene\.yaml:\d+: bodies\.upper: body 'upper' is free to move: "
-                   r"(translation along [xyz]|rotation about [xyz]|, )+\. "
+                   r"(translation along [xyz]|rotation about [xyz]( through \([^)]*\))?|, )+\. "
                    r"Hold it with 'displacements', or start it in closed contact",
                    base={"mesh": None}, files=[])
 

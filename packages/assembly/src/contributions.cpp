@@ -98,6 +98,21 @@ std::vector<double> Contributions::residual(Force which, const NodalFields& fiel
   return buffer;
 }
 
+std::vector<double> Contributions::linear_residual(const NodalFields& about,
+                                                   const NodalFields& fields,
+                                                   rigid::Bodies& bodies) {
+  constexpr double share = 1e-6;
+  std::vector<double> near(static_cast<std::size_t>(dofs_.mesh().num_local()) * dofs_.fields());
+  for (std::size_t i = 0; i < near.size(); ++i)
+    near[i] = about.u[i] + share * (fields.u[i] - about.u[i]);
+  std::vector<double> forces = residual(Force::internal, about, bodies);
+  const std::vector<double> moved =
+      residual(Force::internal, {near.data(), dofs_.fields(), about.time}, bodies);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] += (moved[i] - forces[i]) / share;
+  return forces;
+}
+
 /// Leaves what all ranks make of the owned rows.
 void Contributions::finish(std::vector<double>& buffer) const {
   pattern_.add_shared_residual(buffer.data());

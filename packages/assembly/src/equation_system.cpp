@@ -172,7 +172,7 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] *= weight;
   if (!mass_alone) {
-    contributions_.add_tangents(Force::internal, linear_ ? accepted_fields() : fields(), bodies_,
+    contributions_.add_tangents(Force::internal, fields(linear_ ? u_accepted_ : u_), bodies_,
                                 values.data());
     contributions_.add_tangents(Force::other, fields(), bodies_, values.data());
   }

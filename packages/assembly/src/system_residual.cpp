@@ -54,9 +54,10 @@ void EquationSystem::sum_forces() {
   for (const Force which : {Force::internal, Force::other, Force::inertial}) {
     if (which == Force::inertial && !motion_.active())
       break;
-    std::vector<double> buffer = which == Force::internal && linear_
-                                     ? linear_forces()
-                                     : contributions_.residual(which, fields(), bodies_);
+    std::vector<double> buffer =
+        which == Force::internal && linear_
+            ? contributions_.linear_residual(fields(u_accepted_), fields(), bodies_)
+            : contributions_.residual(which, fields(), bodies_);
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
     contributions_.pattern().add_shared_residual(buffer.data());
     if (which == Force::other)
@@ -73,21 +74,6 @@ void EquationSystem::sum_forces() {
   bodies_.sum_forces();
   motion_.complete(raw_residual_, constraints_.holds());
   forces_known_ = residual_known_ = true;
-}
-
-/// Internal forces and their derivative along the way from the last accepted state, by a quotient of
-/// differences.
-std::vector<double> EquationSystem::linear_forces() {
-  constexpr double share = 1e-6;
-  std::vector<double> near(u_accepted_);
-  for (std::size_t i = 0; i < near.size(); ++i)
-    near[i] += share * (u_[i] - u_accepted_[i]);
-  const NodalFields ahead{near.data(), dofs_.fields(), time_};
-  std::vector<double> forces = contributions_.residual(Force::internal, accepted_fields(), bodies_);
-  const std::vector<double> moved = contributions_.residual(Force::internal, ahead, bodies_);
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    forces[i] += (moved[i] - forces[i]) / share;
-  return forces;
 }
 
 /// What a residual is compared with.

@@ -47,8 +47,8 @@ RCP<const Matrix> TangentMatrix::make(const unknowns::DofMap& dofs,
                                       const std::vector<char>& constrained) {
   if (matrix_.is_null()) {
     const auto owned = static_cast<std::size_t>(pattern_.num_owned_values());
-    matrix_ = rcp(new Matrix(pattern_.graph(),
-                             Kokkos::subview(values_, std::pair(std::size_t(0), owned))));
+    matrix_ = rcp(
+        new Matrix(pattern_.graph(), Kokkos::subview(values_, std::pair(std::size_t(0), owned))));
     find_places(constrained, dofs);
   } else {
     matrix_->resumeFill();
@@ -58,8 +58,8 @@ RCP<const Matrix> TangentMatrix::make(const unknowns::DofMap& dofs,
   return matrix_;
 }
 
-/// Where the diagonals are, and what constrained rows and columns hold beside them. Which columns are
-/// constrained is known to their owners: fetches it.
+/// Where the diagonals are, and what constrained rows and columns hold beside them. Which columns
+/// are constrained is known to their owners: fetches it.
 void TangentMatrix::find_places(const std::vector<char>& constrained,
                                 const unknowns::DofMap& dofs) {
   Vector owned(dofs.map());
@@ -101,9 +101,8 @@ void TangentMatrix::constrain(const std::vector<char>& constrained, std::size_t 
     double& diagonal = values_[diagonal_place_[i]];
     if (i >= node_rows && constrained[i]) {
       const auto first = raw_diagonal_.begin() + std::ptrdiff_t(i - (i - node_rows) % 6);
-      const auto largest = std::max_element(first, first + 6, [](double a, double b) {
-        return std::fabs(a) < std::fabs(b);
-      });
+      const auto largest = std::max_element(
+          first, first + 6, [](double a, double b) { return std::fabs(a) < std::fabs(b); });
       diagonal = std::fabs(*largest);
     }
     if (diagonal == 0.0 && (is_empty(i) || (i >= node_rows && constrained[i])))

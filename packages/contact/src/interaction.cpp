@@ -131,9 +131,6 @@ const mesh::Surface& Interaction::primary() const {
 const Settings& Interaction::settings() const {
   return parts_->data.settings;
 }
-double Interaction::penalty_factor() const {
-  return settings().penalty_source == PenaltySource::given ? 0.0 : parts_->data.factor;
-}
 
 void Interaction::Parts::set_terms(double time) {
   const Settings& o = data.settings;

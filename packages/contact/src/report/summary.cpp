@@ -137,6 +137,8 @@ ContactSummary summarize(const InterfaceData& data) {
   s.normal = t.sum[Tally::normal];
   s.softness = t.sum[Tally::softness];
   s.dissipation = t.sum[Tally::dissipation];
+  if (data.settings.penalty_source != PenaltySource::given)
+    s.penalty_factor = data.factor;
   const auto count = [&](int which) { return static_cast<Global>(t.count[which]); };
   s.points = count(Tally::points);
   s.paired_points = count(Tally::paired);

@@ -33,6 +33,9 @@ public:
 
   /// (owned and shared scalar rows) what all of one kind exert.
   std::vector<double> residual(Force which, const NodalFields& fields, rigid::Bodies& bodies);
+  /// The internal forces at `fields` by their derivative at `about`, a quotient of differences.
+  std::vector<double> linear_residual(const NodalFields& about, const NodalFields& fields,
+                                      rigid::Bodies& bodies);
   /// (owned scalar rows) external forces; sums of forces on bodies stay those of the last residual.
   std::vector<double> loads(const NodalFields& fields, rigid::Bodies& bodies);
   /// (owned scalar rows) of one part.

@@ -107,13 +107,14 @@ private:
   void prepare(const Vector& x);
   void scale_joints();
   void sum_forces();
-  std::vector<double> linear_forces();
   ResidualMeasure measured(const Vector& x) const;
   void assemble_tangent(bool mass_alone);
   RCP<const Matrix> make_matrix();
   void add_work(const Vector& x);
-  NodalFields fields() const { return {u_.data(), dofs_.fields(), time_}; }
-  NodalFields accepted_fields() const { return {u_accepted_.data(), dofs_.fields(), time_}; }
+  NodalFields fields(const std::vector<double>& u) const {
+    return {u.data(), dofs_.fields(), time_};
+  }
+  NodalFields fields() const { return fields(u_); }
 
   unknowns::DofMap dofs_;
   PhaseTimers& timers_;

@@ -95,8 +95,6 @@ public:
   std::vector<Site> sites() const;                ///< of this rank: points (I,P), or nodes
   const mesh::Surface& primary() const;
   const Settings& settings() const;
-  /// f of the automatic penalty; 0 when `penalty` is given.
-  double penalty_factor() const;
 
   /// Whether opposed normals were found for the points that have a partner within one face size
   /// when facing is ignored: share of such points whose normals point the same way. Collective.

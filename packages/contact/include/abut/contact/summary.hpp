@@ -32,6 +32,7 @@ struct ContactSummary {
   /// rigid bodies, whose only stiffness the penalty is [energy]
   double softness = 0.0;
   double dissipation = 0.0;     ///< by friction, since the start [energy]
+  double penalty_factor = 0.0;  ///< f of the automatic penalty; 0 when `penalty` is given [1]
   double initial_overlap = 0.0; ///< deepest at the start, see Settings::overlap_of [length]
   double facet_rise = 0.0; ///< largest difference then between the gap of the faces and that of the
                            ///< round surfaces that they stand for, either way [length]
