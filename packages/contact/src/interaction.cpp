@@ -2,6 +2,7 @@
 #include "abut/contact/interaction.hpp"
 
 #include "abut/core/error.hpp"
+#include "history/nearest_hold.hpp"
 #include "history/steps.hpp"
 #include "kernels/node_tangent.hpp"
 #include "kernels/pair_forces.hpp"
@@ -11,7 +12,6 @@
 #include "spaces/prescribed.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace abut::contact {
 
@@ -28,14 +28,11 @@ struct Interaction::Parts {
   void rest();
   /// Partners, readings and the law, at points or nodes.
   void evaluate_sites();
-  bool may_hold() const { return nearest_hold && !established; }
+  bool may_hold() const { return hold.is_asked_for() && !established; }
   /// Whether the solve under way is one in which nearest points hold what nothing else does.
   bool seeks_hold() const {
-    return may_hold() &&
-           (solve == SolveKind::prediction || solve == SolveKind::approach);
+    return may_hold() && (solve == SolveKind::prediction || solve == SolveKind::approach);
   }
-  void find_nearest();
-  void scale_hold();
   void build_pairs();
   void add_node_rows(const NodeRowArrays& rows) const;
 
@@ -46,10 +43,7 @@ struct Interaction::Parts {
   NormalLaw normal_law;
   double end = 1.0; ///< t at which an initial overlap is resolved
   bool exact_tangent = false;
-  bool nearest_hold = false; ///< see Interaction::hold_by_nearest
-  bool apart = false;        ///< then, and no point has closed in the last evaluation
-  double nearest = 0.0, nearest_taken = 0.0; ///< least gap there, and at the last iterate [length]
-  double nearest_size = 0.0;                 ///< of the face there [length]
+  NearestHold hold; ///< see Interaction::hold_by_nearest
 
   PairArrays pairs;
   NodeCells node_cells;
@@ -106,7 +100,7 @@ void Interaction::set_prescribed(const std::vector<char>& directions) {
 }
 
 void Interaction::hold_by_nearest() {
-  parts_->nearest_hold = true;
+  parts_->hold.ask_for();
   ++parts_->state_version;
 }
 
@@ -173,6 +167,7 @@ void Interaction::prepare(const NodalFields& fields) {
 }
 
 void Interaction::Parts::rest() {
+  hold.rest();
   Kokkos::deep_copy(data.points.state, PointState());
   Kokkos::deep_copy(data.points.reading, SiteReading());
   if (data.nodal)
@@ -207,48 +202,12 @@ void Interaction::Parts::evaluate_sites() {
     apply_law(normal_law, data.points);
   data.terms.law.hair = 0.0;
   if (may_hold())
-    find_nearest();
+    hold.look(data, seeks_hold());
   if (data.terms.at_nodes)
     data.nodal->evaluate(data.primary(), data.points, data.terms);
   else
     Kokkos::parallel_for("abut::contact::decide_points", Range(0, points),
                          DecidePoints{data.primary(), data.facing(), data.points, data.terms});
-}
-
-/// Bodies that nothing but contact holds and that stand a hair off each other: springs without
-/// force at the nearest points tell which way they go. Collective.
-void Interaction::Parts::find_nearest() {
-  constexpr double band = 0.1; ///< in face sizes, beyond the nearest point
-  nearest = std::numeric_limits<double>::max();
-  double size = 0.0;
-  for (Local i = 0; i < data.points.size(); ++i) {
-    const SiteReading& r = data.points.reading(i);
-    if (!r.covered || r.gap >= nearest)
-      continue;
-    nearest = r.gap;
-    size = r.size;
-  }
-  double best[2] = {-nearest, size};
-  data.comm.max(best, 2);
-  nearest = -best[0];
-  nearest_size = best[1];
-  apart = nearest > touching_gap * nearest_size;
-  if (apart && seeks_hold() && nearest_size > 0.0)
-    data.terms.law.hair = nearest + band * nearest_size;
-}
-
-/// What the last iterate moved by tells how stiff the nearest points must be to let the next one close
-/// the gap.
-void Interaction::Parts::scale_hold() {
-  constexpr double overlap = 0.02; ///< in face sizes, what the next iterate is to end with
-  constexpr double least = 1e-6;
-  double& share = data.terms.law.hair_share;
-  const double moved = nearest_taken - nearest;
-  if (iterates == 0)
-    share = 1.0;
-  else if (apart && moved > 0.0)
-    share = std::clamp(share * moved / (nearest + overlap * nearest_size), least, 1.0);
-  nearest_taken = nearest;
 }
 
 void Interaction::Parts::add_node_rows(const NodeRowArrays& rows) const {
@@ -333,7 +292,7 @@ bool Interaction::overloaded() const {
   const double modulus = settings().modulus;
   if (modulus <= 0.0 || parts_->established)
     return false;
-  if (parts_->may_hold() && parts_->apart)
+  if (parts_->may_hold() && parts_->hold.is_apart())
     return true;
   if (data.terms.at_nodes) {
     const NodalArrays& nodes = data.nodal->arrays();
@@ -397,7 +356,7 @@ void Interaction::iterate_taken() {
   if (p.data.acts)
     take_iterate(p.data, p.step_iterates == 0);
   if (p.seeks_hold())
-    p.scale_hold();
+    p.hold.take_iterate(p.data.terms.law, p.iterates == 0);
   p.step_iterates += p.solve != SolveKind::approach;
   ++p.iterates;
   ++p.state_version;
