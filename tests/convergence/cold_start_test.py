@@ -23,7 +23,8 @@ WAYS = {
 }
 FORMULATIONS = ("facet_on_facet", "sliding_elastic", "node_on_facet")
 OPEN_BY_FORCE = {("sliding_elastic", "penalty", 0.02, 12)}
-OPEN = {("node_on_facet", "smoothed", 0.02, 12)}
+OPEN = {("node_on_facet", "smoothed", 0.02, 12), ("facet_on_facet", "dual", 0.02, 48),
+        ("facet_on_facet", "dual", 0.05, 48), ("sliding_elastic", "dual", 0.05, 48)}
 
 
 def deck(approach, faces, **contact):
