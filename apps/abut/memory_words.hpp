@@ -8,10 +8,7 @@ namespace abut::app {
 /// Whether a message tells of missing memory: libraries, and what wraps their errors, say so in
 /// words alone.
 inline bool tells_of_memory(const std::string& message) {
-  constexpr const char* words[] = {"std::bad_alloc",
-                                   "failed to allocate memory",     // Kokkos
-                                   "not enough memory",             // MUMPS, factorization
-                                   "MUMPS failed with status -7,"}; // MUMPS, its integers
+  constexpr const char* words[] = {"std::bad_alloc", "failed to allocate memory"}; // Kokkos
   for (const char* word : words)
     if (message.find(word) != std::string::npos)
       return true;

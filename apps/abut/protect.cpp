@@ -36,13 +36,23 @@ bool is_summary(const std::string& path) {
          start.compare(first, 8, "\"status\"") == 0;
 }
 
+/// Throws unless what is at the path is nothing, or may be written over: of a file, and asked of no
+/// device.
+template <class Replaceable>
+void protect(const std::string& path, const Replaceable& replaceable, const std::string& what,
+             const std::string& advice) {
+  const io::FileKind kind = io::kind_of_file(path);
+  if (kind != io::FileKind::none && !replaceable(kind))
+    throw InputError(what + " would overwrite '" + path + "', which is " + name(kind) + "; " +
+                     advice);
+}
+
 } // namespace
 
 void protect_from_results(const std::string& path) {
-  const io::FileKind kind = io::kind_of_file(path);
-  if (kind != io::FileKind::none && kind != io::FileKind::results)
-    throw InputError("the results would overwrite '" + path + "', which is " + name(kind) +
-                     "; give another --output-dir or 'output: {name: ...}'");
+  protect(
+      path, [](io::FileKind kind) { return kind == io::FileKind::results; }, "the results",
+      "give another --output-dir or 'output: {name: ...}'");
 }
 
 void protect_from_import(const std::string& path) {
@@ -54,17 +64,15 @@ void protect_from_import(const std::string& path) {
 }
 
 void protect_from_mesh(const std::string& path) {
-  const io::FileKind kind = io::kind_of_file(path);
-  if (kind != io::FileKind::none && kind != io::FileKind::mesh)
-    throw InputError("the mesh would overwrite '" + path + "', which is " + name(kind) +
-                     "; give another name or remove it first");
+  protect(
+      path, [](io::FileKind kind) { return kind == io::FileKind::mesh; }, "the mesh",
+      "give another name or remove it first");
 }
 
 void protect_from_summary(const std::string& path) {
-  const io::FileKind kind = io::kind_of_file(path);
-  if (kind != io::FileKind::none && !is_summary(path))
-    throw InputError("the summary would overwrite '" + path + "', which is " + name(kind) +
-                     "; give --summary another name or remove it first");
+  protect(
+      path, [&](io::FileKind) { return is_summary(path); }, "the summary",
+      "give --summary another name or remove it first");
   const bool was_there = fs::exists(path);
   errno = 0;
   if (fs::is_directory(path) || !std::ofstream(path, std::ios::app))

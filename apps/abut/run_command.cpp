@@ -89,12 +89,14 @@ void announce(const Model& m, Progress& progress) {
       progress.warning(warning);
 }
 
-/// What Teuchos says, without its line breaks and its counter.
+/// What Teuchos says, without its line breaks, its counter and the place in its sources.
 std::string one_line(const std::string& what) {
-  std::string text;
-  for (const char c : what.substr(0, what.find("\n\nThrow number")))
-    text += c == '\n' ? ' ' : c;
-  return text;
+  std::string said = what.substr(0, what.find("\n\nThrow number"));
+  if (const auto test = what.find("evaluated to true:");
+      test < what.size() && !said.empty() && said.back() == ':')
+    said = what.substr(std::min(what.find("\n\n", test), what.size() - 2) + 2);
+  std::replace(said.begin(), said.end(), '\n', ' ');
+  return said.substr(0, said.find_last_not_of(' ') + 1);
 }
 
 /// Evaluates the equations at the start and refuses bodies that nothing holds.

@@ -303,6 +303,11 @@ class Trilinos(Case):
         self.assertEqual(run.status, 2, run.output)
         self.assertRegex(run.output, r"abut: \S*scene\.yaml:\d+: trilinos: Trilinos does not take this list: .*"
                          r"\"Maximum Iterations\" of type \"string\"")
+        run = scenes.run(scenes.merged(BLOCKS, {
+            "linear_solver": {"method": "krylov", "preconditioner": "muelu"}, "trilinos": {"MueLu": {"foo": "bar"}}}),
+            check=False)
+        self.assertEqual(run.status, 2, run.output)
+        self.assertRegex(run.output, r"abut: \S*scene\.yaml:\d+: trilinos: Trilinos does not take this list: .*foo")
 
 
 if __name__ == "__main__":

@@ -22,6 +22,9 @@ template <int N, int M> struct Level {
     rows = rows_of_a;
     smoother = GaussSeidel<N>(a);
     blocks = rows.comm().sum(static_cast<Global>(a.blocks()));
+    make_vectors();
+  }
+  void make_vectors() {
     for (auto* vector : {&b, &x, &work})
       vector->assign(static_cast<std::size_t>(rows.size()) * padded(N), 0.0F);
   }
@@ -80,8 +83,7 @@ std::optional<Level<N, M>> coarsen(const BlockMatrix<float, N, N>& a, const Dist
                     {},
                     {},
                     rows.comm().sum(static_cast<Global>(a.blocks()))};
-  for (auto* vector : {&level.b, &level.x, &level.work})
-    vector->assign(static_cast<std::size_t>(rows.size()) * padded(N), 0.0F);
+  level.make_vectors();
   return level;
 }
 

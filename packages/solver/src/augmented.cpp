@@ -12,9 +12,6 @@ namespace {
 constexpr double loosest = 1e-2;        ///< tolerance of a solve that multipliers change after
 constexpr double share_of_change = 0.1; ///< of the multipliers' last change, and of first forces
 constexpr double near = 1e-2;           ///< tolerance of an approach
-} // namespace
-
-namespace {
 
 /// So is a state that has no residual, as where an element is inverted.
 bool is_overloaded(NonlinearSystem& system, const Vector& x) {

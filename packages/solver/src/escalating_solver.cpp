@@ -42,10 +42,8 @@ void EscalatingSolver::do_setup(const RCP<const Matrix>& matrix, long graph_vers
 
 LinearResult EscalatingSolver::do_solve(const Vector& b, Vector& x, double tolerance) {
   LinearResult result;
-  if (!use_sure_ && attempt([&] { result = cheap_->solve(b, x, tolerance); })) {
-    passed_on_ = false;
+  if (!use_sure_ && attempt([&] { result = cheap_->solve(b, x, tolerance); }))
     return result;
-  }
   if (!sure_is_set_up_)
     sure_->setup(matrix_, graph_version_, symmetric_);
   sure_is_set_up_ = true;
@@ -57,9 +55,10 @@ template <class Work> bool EscalatingSolver::attempt(Work work) {
     work();
     return true;
   } catch (const SolveError& e) {
-    passed_on_ = dear_ && !passed_on_;
-    if (passed_on_)
+    if (dear_ && !passed_on_) {
+      passed_on_ = true;
       throw;
+    }
     give_up(e.what());
     return false;
   }

@@ -12,14 +12,14 @@ namespace abut::solver {
 /// as many matrices as after the one before, and then tried again: one hard state does not decide
 /// over a whole run, and a hard run loses little.
 /// Where the sure one is dear, the error is passed on first, for a shorter load step mostly leads
-/// around the hard state; the sure one is for a matrix on which the cheap one fails right after
-/// that.
+/// around the hard state; the sure one is for what fails in the same step after that.
 class EscalatingSolver : public LinearSolver {
 public:
   EscalatingSolver(std::unique_ptr<LinearSolver> cheap, std::unique_ptr<LinearSolver> sure,
                    bool dear, LogSink log, PhaseTimers* timers = nullptr);
 
   void forget() override;
+  void step_accepted() override { passed_on_ = false; }
   std::vector<LinearUse> uses() const override;
 
 private:
@@ -32,7 +32,7 @@ private:
   std::unique_ptr<LinearSolver> cheap_, sure_;
   LogSink log_;
   bool dear_;              ///< the sure one takes far longer than the cheap one
-  bool passed_on_ = false; ///< the last error; nothing has been solved since
+  bool passed_on_ = false; ///< an error of this step
   RCP<const Matrix> matrix_;
   long graph_version_ = 0;
   bool symmetric_ = false;

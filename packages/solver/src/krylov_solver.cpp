@@ -11,7 +11,6 @@
 #include <BelosTpetraAdapter.hpp>
 #include <Teuchos_ParameterListExceptions.hpp>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -19,8 +18,6 @@ namespace abut::solver {
 
 namespace {
 
-/// Makes a preconditioner; whether it did.
-using SetupWork = std::function<bool()>;
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 
 constexpr double max_growth = 1.5;   ///< of the iterations with a preconditioner that is kept
@@ -46,9 +43,8 @@ std::string scientific(double x) {
 class KrylovSolver::Implementation {
 public:
   Implementation(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
-                 KrylovRole role, std::function<void(const SetupWork&)> measured_setup)
-      : options_(options), log_(std::move(log)), role_(role),
-        measured_setup_(std::move(measured_setup)),
+                 KrylovRole role, KrylovSolver& owner)
+      : options_(options), log_(std::move(log)), role_(role), owner_(owner),
         preconditioning_(make_preconditioning(options, system, log_)) {
     Teuchos::ParameterList probe; // unreadable lists are reported before anything is solved
     merge_parameter_text(options_.belos, "Belos", probe);
@@ -105,13 +101,13 @@ private:
 
   void build_preconditioner() {
     try {
-      measured_setup_([this] {
+      owner_.measured_setup([this] {
         preconditioner_ = preconditioning_->build(matrix_, symmetric_);
         return true;
       });
       kept_ = 0;
-    } catch (const Teuchos::Exceptions::InvalidParameter& e) {
-      throw InputError(std::string("The list of the preconditioner is not one: ") + e.what());
+    } catch (const Teuchos::Exceptions::InvalidParameter&) {
+      throw; // a list of the user's, which no other step mends
     } catch (const std::exception& e) {
       preconditioner_ = Teuchos::null;
       throw SolveError(std::string("The preconditioner cannot be built: ") + e.what());
@@ -130,7 +126,7 @@ private:
   void renew(const RCP<const Matrix>& matrix, bool same_graph) {
     RCP<Operator> renewed;
     try {
-      measured_setup_([&] {
+      owner_.measured_setup([&] {
         renewed = preconditioning_->renew(matrix, symmetric_, same_graph);
         return !renewed.is_null();
       });
@@ -199,7 +195,7 @@ private:
   LinearOptions options_;
   LogSink log_;
   KrylovRole role_;
-  std::function<void(const SetupWork&)> measured_setup_;
+  KrylovSolver& owner_; ///< to measure setups
   std::unique_ptr<Preconditioning> preconditioning_;
   bool symmetric_ = false;
   long graph_version_ = -1;
@@ -214,9 +210,8 @@ private:
 KrylovSolver::KrylovSolver(const LinearOptions& options, const NonlinearSystem& system, LogSink log,
                            KrylovRole role, PhaseTimers* timers)
     : LinearSolver(std::string("krylov with ") + name(options.preconditioner), timers),
-      implementation_(std::make_unique<Implementation>(
-          options, system, std::move(log), role,
-          [this](const SetupWork& work) { measured_setup(work); })) {}
+      implementation_(
+          std::make_unique<Implementation>(options, system, std::move(log), role, *this)) {}
 
 KrylovSolver::~KrylovSolver() = default;
 

@@ -104,6 +104,7 @@ void LoadStepping::finish_step(Course& course, const Attempt& tried, double t,
                                const StepCallback& on_step) {
   LoadResult& result = course.result;
   course.system.accept(course.x);
+  loop_.newton().linear().step_accepted();
   course.start.accepted(course.converged, course.x, t - result.t, tried.augmentations == 0);
   Tpetra::deep_copy(course.converged, course.x);
   result.counters.extrapolated_steps += tried.extrapolated;

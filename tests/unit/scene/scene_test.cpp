@@ -67,6 +67,13 @@ template <class Work> std::string message_of(const Work& work) {
   return "";
 }
 
+/// Another contact, like the first.
+contact::ContactOptions& add_contact(scene::Options& options, const char* name) {
+  options.contact.push_back(options.contact[0]);
+  options.contact.back().name = name;
+  return options.contact.back();
+}
+
 /// The scene with contact evaluated where it starts.
 scene::Scene at_rest(const scene::Options& options, PhaseTimers& timers, double gap = -0.01) {
   scene::Scene s = scene::build_scene(options, make_mesh(gap), timers, where);
@@ -121,10 +128,9 @@ TEST(Scene, ContactThatPressesNowhereChangesNoField) {
                                    {"lower_y0", "lower_x0"}};
   for (const auto& sides : others) {
     scene::Options both = options;
-    both.contact.push_back(options.contact[0]);
-    both.contact[1].name = "other";
-    both.contact[1].primary = sides[0];
-    both.contact[1].secondary = sides[1];
+    auto& other = add_contact(both, "other");
+    other.primary = sides[0];
+    other.secondary = sides[1];
     const scene::Scene two = at_rest(both, timers);
     ASSERT_EQ(two.contacts[1]->summary().active_points, 0);
     const scene::ContactFields fields = scene::contact_fields(*two.mesh, two.contacts);
@@ -139,9 +145,7 @@ TEST(Scene, ContactOutsideItsWindowChangesNoField) {
   scene::Options options = two_blocks();
   const scene::Scene one = at_rest(options, timers, 0.02);
   const scene::ContactFields alone = scene::contact_fields(*one.mesh, one.contacts);
-  options.contact.push_back(options.contact[0]);
-  options.contact[1].name = "later";
-  options.contact[1].window.from = 0.5;
+  add_contact(options, "later").window.from = 0.5;
   const scene::Scene two = at_rest(options, timers, 0.02);
   const scene::ContactFields fields = scene::contact_fields(*two.mesh, two.contacts);
   EXPECT_EQ(fields.gap, alone.gap);
@@ -158,9 +162,7 @@ TEST(Scene, AddsWhatSeveralContactsExert) {
   const scene::Scene one = at_rest(options, timers);
   const scene::ContactFields whole = scene::contact_fields(*one.mesh, one.contacts);
   options.contact[0].penalty = 3.0;
-  options.contact.push_back(options.contact[0]);
-  options.contact[1].name = "other";
-  options.contact[1].penalty = 7.0;
+  add_contact(options, "other").penalty = 7.0;
   const scene::Scene two = at_rest(options, timers);
   const scene::ContactFields fields = scene::contact_fields(*two.mesh, two.contacts);
   double most = 0.0;
@@ -194,8 +196,7 @@ TEST(Scene, RefusesTwoThatWouldWriteOneVariable) {
   const auto mesh = make_mesh();
   scene::Options options = two_blocks();
   options.contact[0].two_pass = true;
-  options.contact.push_back(options.contact[0]);
-  options.contact[1].name = "pair_second_pass";
+  add_contact(options, "pair_second_pass");
   EXPECT_THAT(message_of([&] { scene::build_scene(options, mesh, timers, where); }),
               HasSubstr("options.contact.pair_second_pass: its 'pair_second_pass_force_x' in the "
                         "results would have the name of that of contact.pair_second_pass"));

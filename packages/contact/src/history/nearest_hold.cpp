@@ -10,17 +10,18 @@ namespace abut::contact {
 
 void NearestHold::look(InterfaceData& data, bool seeking) {
   constexpr double band = 0.1; // of a face, beyond the nearest point
-  double best[2] = {-std::numeric_limits<double>::max(), 0.0}; // minus the gap, size
+  gap_ = std::numeric_limits<double>::max();
+  double size = 0.0;
   for (Local i = 0; i < data.points.size(); ++i) {
     const SiteReading& r = data.points.reading(i);
-    if (!r.covered || -r.gap <= best[0])
+    if (!r.covered || r.gap >= gap_)
       continue;
-    best[0] = -r.gap;
-    best[1] = r.size;
+    gap_ = r.gap;
+    size = r.size;
   }
-  data.comm.max(best, 2);
-  gap_ = -best[0];
-  size_ = best[1];
+  const double here = gap_;
+  gap_ = data.comm.min(here);
+  size_ = data.comm.max(here == gap_ ? size : 0.0);
   apart_ = gap_ > touching_gap * size_;
   const bool known = size_ > 0.0;
   data.terms.law.hair = apart_ && seeking && known ? gap_ + band * size_ : 0.0;

@@ -65,6 +65,8 @@ public:
   /// Called when a load step is rolled back, so that the retry does not depend on the failure.
   /// Which methods fail in this run is not forgotten.
   virtual void forget() {}
+  /// A load step has been accepted.
+  virtual void step_accepted() {}
 
   /// Sum of LinearResult::iterations so far, failed solves not counted.
   long long total_iterations() const { return use_.iterations; }
