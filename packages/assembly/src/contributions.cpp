@@ -227,6 +227,11 @@ int Contributions::unsettled() const {
                                         [](const Part& p) { return !p.contribution->settled(); }));
 }
 
+bool Contributions::land() const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [](const Part& p) { return p.contribution->lands(); });
+}
+
 int Contributions::overloaded() const {
   return static_cast<int>(std::count_if(
       parts_.begin(), parts_.end(), [](const Part& p) { return p.contribution->overloaded(); }));

@@ -33,6 +33,8 @@ struct Interaction::Parts {
   bool seeks_hold() const {
     return may_hold() && (solve == SolveKind::prediction || solve == SolveKind::approach);
   }
+  /// Whether the solve under way leads to where the next one starts.
+  bool from_afar() const { return solve == SolveKind::approach || solve == SolveKind::landing; }
   void build_pairs();
   void add_node_rows(const NodeRowArrays& rows) const;
 
@@ -134,8 +136,9 @@ void Interaction::Parts::set_terms(double time) {
   terms.law.friction = o.friction * (friction_schedule ? friction_schedule(time) : 1.0);
   terms.law.predicting = solve == SolveKind::prediction && established;
   terms.softest = solve == SolveKind::approach || seeks_hold() ? o.modulus : 0.0;
-  // Means over nodes jump where points change faces: far from balance that leads in circles.
-  terms.at_nodes = data.nodal && solve != SolveKind::approach && !seeks_hold();
+  // Means over nodes jump where points change faces, and their functions have both signs: far from
+  // balance that leads in circles.
+  terms.at_nodes = data.nodal && !from_afar() && !seeks_hold();
   terms.anchored_map =
       o.anchors() || (terms.law.friction > 0.0 && o.friction_map != FrictionMap::incremental);
   terms.user_law = bool(normal_law);
@@ -307,6 +310,10 @@ bool Interaction::overloaded() const {
   return false;
 }
 
+bool Interaction::lands() const {
+  return bool(parts_->data.nodal);
+}
+
 void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
   const InterfaceData& data = parts_->data;
   Kokkos::parallel_for(
@@ -345,7 +352,7 @@ void Interaction::begin_step() {
 void Interaction::begin_solve(SolveKind kind) {
   Parts& p = *parts_;
   p.state_version += kind != p.solve;
-  if (p.solve == SolveKind::approach)
+  if (p.from_afar())
     restart_search(p.data);
   p.solve = kind;
   p.iterates = 0;
@@ -357,7 +364,7 @@ void Interaction::iterate_taken() {
     take_iterate(p.data, p.step_iterates == 0);
   if (p.seeks_hold())
     p.hold.take_iterate(p.data.terms.law, p.iterates == 0);
-  p.step_iterates += p.solve != SolveKind::approach;
+  p.step_iterates += !p.from_afar();
   ++p.iterates;
   ++p.state_version;
 }

@@ -5,13 +5,14 @@
 #include "abut/core/trilinos.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace abut::solver {
 
 namespace {
 constexpr double loosest = 1e-2;        ///< tolerance of a solve that multipliers change after
 constexpr double share_of_change = 0.1; ///< of the multipliers' last change, and of first forces
-constexpr double near = 1e-2;           ///< tolerance of an approach
+constexpr double near = 1e-2;           ///< tolerance of an approach, and of a landing
 
 /// So is a state that has no residual, as where an element is inverted.
 bool is_overloaded(NonlinearSystem& system, const Vector& x) {
@@ -26,43 +27,70 @@ bool is_overloaded(NonlinearSystem& system, const Vector& x) {
 
 } // namespace
 
-int AugmentedLagrangian::approach(NonlinearSystem& system, Vector& x,
-                                  const IterationCallback& observer) {
-  if (!is_overloaded(system, x))
-    return 0;
+bool AugmentedLagrangian::lead(SolveKind kind, NonlinearSystem& system, Vector& x,
+                               const IterationCallback& observer) {
   const Vector start(x, Teuchos::Copy);
-  int iterations = 0;
   const auto marked = [&](IterationReport report) {
-    iterations = report.iteration;
     report.approach = true;
-    if (observer)
-      observer(report);
+    observer(report);
   };
-  system.begin_solve(SolveKind::approach);
+  system.begin_solve(kind);
   bool arrived = false;
   try {
     arrived = newton_.solve(system, x, marked, {near, 1.0}).converged;
-  } catch (const SolveError&) { // Newton has another start
+  } catch (const SolveError&) { // Newton has another start, or had one
   }
   if (!arrived)
     Tpetra::deep_copy(x, start);
-  return iterations;
+  return arrived;
+}
+
+NewtonResult AugmentedLagrangian::solve_first(NonlinearSystem& system, Vector& x,
+                                              const IterationCallback& observer,
+                                              const EarlyEnd& early) {
+  const Vector start(x, Teuchos::Copy);
+  NewtonResult result;
+  std::exception_ptr failure;
+  system.begin_solve(SolveKind::newton);
+  try {
+    result = newton_.solve(system, x, observer, early);
+  } catch (const SolveError&) {
+    failure = std::current_exception();
+  }
+  if (result.converged || !system.lands()) {
+    if (failure)
+      std::rethrow_exception(failure);
+    return result;
+  }
+  Tpetra::deep_copy(x, start);
+  if (lead(SolveKind::landing, system, x, observer)) {
+    system.begin_solve(SolveKind::newton);
+    return newton_.solve(system, x, observer, early);
+  }
+  if (failure)
+    std::rethrow_exception(failure);
+  return result;
 }
 
 AugmentedResult AugmentedLagrangian::solve(NonlinearSystem& system, Vector& x,
                                            const IterationCallback& observer) {
   AugmentedResult result;
+  const auto counted = [&](const IterationReport& report) {
+    result.iterations += report.iteration > 0;
+    if (observer)
+      observer(report);
+  };
   const double finest = newton_.options().tolerance;
   const bool inexact = augment_ && newton_.options().inexact;
   EarlyEnd early;
   if (inexact)
     early = {loosest, share_of_change};
-  result.iterations = approach(system, x, observer);
-  system.begin_solve(SolveKind::newton);
+  if (is_overloaded(system, x))
+    lead(SolveKind::approach, system, x, counted);
   for (;;) {
-    result.solves.push_back(newton_.solve(system, x, observer, early));
+    result.solves.push_back(result.solves.empty() ? solve_first(system, x, counted, early)
+                                                  : newton_.solve(system, x, counted, early));
     const NewtonResult& solve = result.solves.back();
-    result.iterations += solve.iterations;
     if (!solve.converged) {
       result.reason = solve.reason;
       if (result.augmentations > 0)

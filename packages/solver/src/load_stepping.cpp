@@ -148,8 +148,8 @@ LoadStepping::Attempt LoadStepping::attempt(Course& course, double t,
   const auto counting_observer = [&](const IterationReport& report) {
     if (report.iteration > 0)
       ++tried.iterations;
-    else if (!report.approach)
-      ++solves;
+    else
+      solves = report.approach ? 0 : solves + 1;
     if (observer)
       observer(report);
   };

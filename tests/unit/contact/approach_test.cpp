@@ -67,6 +67,23 @@ TEST_P(Approach, HasPointsOnSpringsAsSoftAsTheBodiesUntilItEnds) {
   EXPECT_TRUE(same_values(residual(*stiff), before));
 }
 
+TEST_P(Approach, LandsWithTheLawAtPointsOnItsOwnSprings) {
+  const bool nodal = std::get<0>(GetParam()) == Multipliers::dual;
+  const auto s = scene(40.0 * soft), same = at_points(40.0 * soft);
+  EXPECT_EQ(s->pair->lands(), nodal);
+  const std::vector<double> before = residual(*s);
+  s->pair->begin_solve(SolveKind::landing);
+  const std::vector<double> during = residual(*s), expected = residual(*same);
+  double most = 0.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(during[i], expected[i], 1e-12);
+    most = std::max(most, std::fabs(before[i] - during[i]));
+  }
+  EXPECT_EQ(most > 1e-3, nodal);
+  s->pair->begin_solve(SolveKind::newton);
+  EXPECT_TRUE(same_values(residual(*s), before));
+}
+
 TEST_P(Approach, EvaluationElsewhereLeavesNoTrace) {
   const auto s = scene(40.0 * soft);
   residual(*s);

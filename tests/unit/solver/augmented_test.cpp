@@ -109,6 +109,47 @@ TEST_F(Augmented, GoesOnFromThePredictedStateWhereAnApproachFails) {
   EXPECT_NEAR(cliff.gather(at)[0], 1.0, 1e-12);
 }
 
+/// Newton has no residual at the start, nor anywhere left of 0.5; a landing has it.
+struct Shore {
+  DenseSystem* self = nullptr;
+  bool all_fail = false;
+  DenseSystem system{1,
+                     [this](const Values& v) {
+                       const bool newton = self->solves.back() == SolveKind::newton;
+                       return all_fail || (newton && v[0] < 0.5) ? Values() : Values{v[0] - 1.0};
+                     },
+                     [](const Values&) { return Values{1.0}; }};
+  Shore() {
+    self = &system;
+    system.solves = {SolveKind::prediction};
+  }
+};
+
+TEST_F(Augmented, TriesOnceMoreFromALandingWhereNewtonFails) {
+  Shore shore;
+  shore.system.does_land = true;
+  Vector at = shore.system.vector({0.0});
+  const auto result = solver::AugmentedLagrangian(*newton).solve(shore.system, at);
+  ASSERT_TRUE(result.converged) << result.reason;
+  EXPECT_EQ(shore.system.solves, (std::vector{SolveKind::prediction, SolveKind::newton,
+                                              SolveKind::landing, SolveKind::newton}));
+  EXPECT_EQ(result.solves.size(), 1u);
+  EXPECT_GT(result.iterations, 0); // those of the landing count
+  EXPECT_NEAR(shore.system.gather(at)[0], 1.0, 1e-12);
+}
+
+TEST_F(Augmented, SaysWhyNewtonFailedWhereALandingFailsOrDiffersInNothing) {
+  for (const bool lands : {true, false}) {
+    Shore shore;
+    shore.all_fail = lands;
+    shore.system.does_land = lands;
+    Vector at = shore.system.vector({0.0});
+    EXPECT_THROW(solver::AugmentedLagrangian(*newton).solve(shore.system, at), SolveError);
+    EXPECT_EQ(shore.system.solves.back(), lands ? SolveKind::landing : SolveKind::newton);
+    EXPECT_EQ(shore.system.gather(at)[0], 0.0); // where the step began
+  }
+}
+
 TEST_F(Augmented, ContractsByTheUzawaFactor) {
   Values errors;
   const auto augment = [&](int) {

@@ -51,6 +51,7 @@ public:
   bool symmetric() const override { return is_symmetric; }
   bool indefinite() const override { return is_indefinite; }
   bool overloaded() const override { return is_overloaded; }
+  bool lands() const override { return does_land; }
   double reference_force() const override { return reference; }
 
   void begin_solve(SolveKind kind) override { solves.push_back(kind); }
@@ -75,7 +76,8 @@ public:
   }
 
   double reference = 1.0, time = 0.0;
-  bool is_symmetric = false, is_indefinite = false, is_overloaded = false, changing_graph = false;
+  bool is_symmetric = false, is_indefinite = false, is_overloaded = false, does_land = false,
+       changing_graph = false;
   int evaluations = 0, accepted = 0, rejected = 0;
   std::vector<SolveKind> solves; ///< begun
 

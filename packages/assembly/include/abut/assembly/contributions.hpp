@@ -60,6 +60,7 @@ public:
   long state_version() const;      ///< of all; grows with every change; of this rank
   int unsettled() const;           ///< how many; of this rank
   int overloaded() const;          ///< likewise
+  bool land() const;               ///< whether some do, see Contribution::lands
 
 private:
   struct Part {

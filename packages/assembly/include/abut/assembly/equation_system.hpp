@@ -63,6 +63,7 @@ public:
   bool symmetric() const;
   /// Whether multipliers are among the unknowns: only a direct solver then takes the tangent.
   bool indefinite() const { return joints_.have_unknowns(); }
+  bool lands() const { return contributions_.land(); } ///< see Contribution::lands
   /// Throws SolveError where the last residual is not that of a solution, however small it is.
   void require_consistent() const { joints_.require_consistent(); }
 

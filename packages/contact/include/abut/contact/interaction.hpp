@@ -49,8 +49,8 @@ public:
   /// The load parameter at which an initial overlap is resolved.
   void set_end(double t);
   /// From now on, while no point has been in contact, the nearest ones hold their bodies in
-  /// predictions and approaches as if they touched, without a force. For bodies that nothing but this
-  /// contact holds: a step then leads into contact, where its equations would be singular.
+  /// predictions and approaches as if they touched, without a force. For bodies that nothing but
+  /// this contact holds: a step then leads into contact, where its equations would be singular.
   void hold_by_nearest();
   /// Whether the last evaluated load parameter lies in the window of the options.
   bool acts() const;
@@ -68,6 +68,7 @@ public:
   double round_off_force2() const override;
   bool settled() const override;
   bool overloaded() const override;
+  bool lands() const override;
   void begin_step() override;
   void begin_solve(SolveKind kind) override;
   void iterate_taken() override;

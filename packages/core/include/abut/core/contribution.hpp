@@ -44,6 +44,9 @@ enum class SolveKind {
   /// Contribution::overloaded: laws stiffer than the bodies are as soft as they are, and bodies
   /// respond as to small strains.
   approach,
+  /// Newton's iteration of a step in which it did not converge otherwise: bodies and laws are as
+  /// stiff as they are, but laws take the form that converges from afar, see Contribution::lands.
+  landing,
   newton,             ///< Newton's iteration of a step
   after_augmentation, ///< the same again, after multipliers have changed
 };
@@ -100,12 +103,17 @@ public:
   /// could balance: the state is too far from equilibrium for a linearisation to lead there.
   virtual bool overloaded() const { return false; }
 
+  /// Whether the laws have another form for SolveKind::landing, close to their own. The same on all
+  /// ranks.
+  virtual bool lands() const { return false; }
+
   // Events. A residual is a function of the unknowns, the converged history and the iterate state;
   // only these, and what changes multipliers, change the latter two. In their order:
   //   begin_step
   //   begin_solve(prediction)
   //   begin_solve(approach), iterate_taken ..., where the predicted state is overloaded
   //   begin_solve(newton), iterate_taken for each iterate that Newton goes on from
+  //   begin_solve(landing), iterate_taken ..., begin_solve(newton) once more, where that failed
   //   begin_solve(after_augmentation), iterates again, as often as multipliers change
   //   accept or reject
   // Evaluations between them (trials of a line search, a second tangent, a check of the tangent)

@@ -25,7 +25,8 @@ struct AugmentedResult {
 
 /// Uzawa's loop: solve with the multipliers held, let the callback update them, and again. A solve
 /// that multipliers will still change after is only taken as far as they are known; the last one
-/// has Newton's own tolerance. Before the first, an overloaded start is approached, see SolveKind.
+/// has Newton's own tolerance. Before the first, an overloaded start is approached, see SolveKind;
+/// where the first fails all the same, it is tried once more from a landing.
 /// It knows nothing of contact; without a callback it is one Newton solve.
 class AugmentedLagrangian {
 public:
@@ -42,9 +43,10 @@ public:
   NewtonSolver& newton() { return newton_; }
 
 private:
-  /// From a predicted state that is overloaded to one that Newton leads on from, if that can be had;
-  /// returns the iterations taken.
-  int approach(NonlinearSystem& system, Vector& x, const IterationCallback& observer);
+  /// A solve of this kind, from x to where the next one starts; x stays where it does not converge.
+  bool lead(SolveKind kind, NonlinearSystem& system, Vector& x, const IterationCallback& observer);
+  NewtonResult solve_first(NonlinearSystem& system, Vector& x, const IterationCallback& observer,
+                           const EarlyEnd& early);
 
   NewtonSolver& newton_;
   AugmentCallback augment_;

@@ -23,7 +23,7 @@ struct IterationReport {
   double relative = 0.0;     ///< residual over reference force [1]
   double step_length = 0.0;  ///< fraction of the Newton step that was taken [1]; 0 at iteration 0
   int linear_iterations = 0; ///< of this iteration
-  bool approach = false;     ///< of the solve before the step's own, see SolveKind
+  bool approach = false;     ///< of a solve before the step's own: SolveKind approach or landing
 };
 
 using IterationCallback = std::function<void(const IterationReport&)>;

@@ -44,6 +44,8 @@ public:
   /// Whether the last residual has forces beyond what the bodies can balance: a solve of the kind
   /// `approach` then comes first.
   virtual bool overloaded() const { return false; }
+  /// Whether a solve of the kind `landing` differs from one of the kind `newton`.
+  virtual bool lands() const { return false; }
   /// Asked when a solve has converged: throws SolveError where its end is no solution after all.
   virtual void require_consistent() const {}
 
