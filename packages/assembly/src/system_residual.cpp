@@ -97,7 +97,7 @@ ResidualMeasure EquationSystem::measured(const Vector& x) const {
   dofs_.mesh().comm.sum(all, 7);
   return {std::sqrt(std::max({all[0], all[1], all[2], all[3]})),
           round_off * std::sqrt(all[4] + joints_.rounding_force2()),
-          all[5] == 0.0 && joints_.closed(), all[6] > 0.0};
+          all[5] == 0.0 && joints_.closed(), all[6] > 0.0, contributions_.land()};
 }
 
 void EquationSystem::start_motion(const TimeIntegration& rule, const Vector& x, Vector& minus_f) {

@@ -25,6 +25,7 @@ struct ResidualMeasure {
   double round_off = 0.0;
   bool settled = true;     ///< all follow their true laws, see Contribution::settled
   bool overloaded = false; ///< some exceed what bodies carry, see Contribution::overloaded
+  bool lands = false;      ///< some have another form to start from, see Contribution::lands
 };
 
 /// The equations of all contributions: f(x) = sum of residuals = 0 for the unknowns that are not
@@ -63,7 +64,6 @@ public:
   bool symmetric() const;
   /// Whether multipliers are among the unknowns: only a direct solver then takes the tangent.
   bool indefinite() const { return joints_.have_unknowns(); }
-  bool lands() const { return contributions_.land(); } ///< see Contribution::lands
   /// Throws SolveError where the last residual is not that of a solution, however small it is.
   void require_consistent() const { joints_.require_consistent(); }
 

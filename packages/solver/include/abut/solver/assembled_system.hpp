@@ -22,7 +22,7 @@ public:
   double round_off_force() const override { return equations_.measure().round_off; }
   bool settled() const override { return equations_.measure().settled; }
   bool overloaded() const override { return equations_.measure().overloaded; }
-  bool lands() const override { return equations_.lands(); }
+  bool lands() const override { return equations_.measure().lands; }
   void require_consistent() const override { equations_.require_consistent(); }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   std::vector<RowPlace> row_places() const override;
