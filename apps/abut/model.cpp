@@ -4,6 +4,7 @@
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
 #include "abut/mesh/duplicates.hpp"
+#include "abut/mesh/fingerprint.hpp"
 #include "abut/meshgen/generate.hpp"
 #include "abut/scene/names.hpp"
 
@@ -88,9 +89,11 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
   deck::Deck deck = deck::read_deck(comm, deck_file);
   mesh::MeshData data;
   std::vector<std::string> duplicates; // on the root, which prints
+  std::uint64_t fingerprint = 0;
   comm.on_root([&] {
     data = load_mesh(deck);
     duplicates = mesh::drop_duplicates(data);
+    fingerprint = mesh::fingerprint(data);
   });
   const auto mesh = std::make_shared<const mesh::Mesh>(mesh::distribute(data, comm));
   data = {};
@@ -102,7 +105,7 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
     scene.warnings.push_back(deck.where("mesh") + ": " + text);
   check_places(deck, *mesh, where);
   return std::unique_ptr<Model>(
-      new Model{std::move(scene), comm, std::move(deck), std::move(timers)});
+      new Model{std::move(scene), comm, std::move(deck), std::move(timers), fingerprint});
 }
 
 } // namespace abut::app

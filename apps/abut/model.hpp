@@ -6,6 +6,7 @@
 #include "abut/deck/deck.hpp"
 #include "abut/scene/scene.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -16,6 +17,7 @@ struct Model : scene::Scene {
   Comm comm;
   deck::Deck deck;
   std::unique_ptr<PhaseTimers> timers;
+  std::uint64_t mesh_fingerprint = 0; ///< on the root
 };
 
 /// Reads the deck and its mesh and builds everything. Throws InputError, naming file, line and key,

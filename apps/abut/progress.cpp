@@ -14,6 +14,12 @@ Progress::Progress(bool is_root, bool quiet, bool launched, double end)
       terminal_(active_ && !launched && isatty(STDOUT_FILENO)), end_(end),
       start_(std::chrono::steady_clock::now()) {}
 
+void Progress::go_on(long long steps, double t) {
+  line(fmt::format("goes on from step {} at t = {:.6g}", steps, t));
+  step_ = static_cast<int>(steps) + 1;
+  begin_ = t;
+}
+
 void Progress::line(const std::string& text) {
   if (!active_)
     return;
@@ -66,11 +72,11 @@ void Progress::augmentation(int number, const solver::AugmentReport& r) {
 }
 
 std::string Progress::remaining(double t) const {
-  if (t <= 0.0 || t >= end_)
+  if (t <= begin_ || t >= end_)
     return "";
   const double elapsed =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const double left = elapsed * (end_ - t) / t;
+  const double left = elapsed * (end_ - t) / (t - begin_);
   if (left < 60.0)
     return fmt::format("  about {:.0f} s left", left);
   if (left < 3600.0)

@@ -17,6 +17,8 @@ public:
   /// Under a launcher stdout may look like a terminal but end in a file: plain lines then.
   Progress(bool is_root, bool quiet, bool launched, double end);
 
+  /// The run goes on after so many steps.
+  void go_on(long long steps, double t);
   void line(const std::string& text);    ///< a lasting line
   void failure(const std::string& text); ///< the same; on stderr when quiet
   /// A line that also stands in warnings(), once however often it comes.
@@ -34,7 +36,7 @@ private:
   bool is_root_;
   bool active_;
   bool terminal_;
-  double end_;
+  double begin_ = 0.0, end_;
   int step_ = 1;
   int augmentation_ = 0;
   std::size_t live_width_ = 0;

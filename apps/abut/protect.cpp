@@ -2,6 +2,7 @@
 #include "protect.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/io/checkpoint_file.hpp"
 #include "abut/io/file_kind.hpp"
 
 #include <cerrno>
@@ -67,6 +68,12 @@ void protect_from_mesh(const std::string& path) {
   protect(
       path, [](io::FileKind kind) { return kind == io::FileKind::mesh; }, "the mesh",
       "give another name or remove it first");
+}
+
+void protect_from_checkpoint(const std::string& path) {
+  protect(
+      path, [&](io::FileKind) { return io::is_checkpoint(path); }, "the checkpoint",
+      "give another --output-dir or 'output: {name: ...}'");
 }
 
 void protect_from_summary(const std::string& path) {

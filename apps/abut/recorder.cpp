@@ -7,15 +7,32 @@
 
 namespace abut::app {
 
-Recorder::Recorder(const Model& model, const std::string& stem, Progress& progress, const Vector& x)
+Recorder::Recorder(const Model& model, const std::string& stem, int part, Progress& progress,
+                   const Vector& x)
     : model_(model), progress_(progress), state_(scene::make_state(model, x, 0.0, {})),
-      writer_(stem, *model.mesh, scene::result_names(model), model.deck.output.files) {
+      writer_(stem, *model.mesh, scene::result_names(model), model.deck.output.files, part) {
+  if (model.deck.output.points)
+    points_.emplace(model, stem + io::part_suffix(part));
+  if (part > 1)
+    return;
   state_.energy.kinetic_at_start = state_.energy.kinetic;
   watch_.look(state_);
   penalty_.look(state_);
-  if (model.deck.output.points)
-    points_.emplace(model, stem);
   write();
+}
+
+void Recorder::exchange_state(StateArchive& archive, const Vector& x) {
+  double kinetic_at_start = state_.energy.kinetic_at_start;
+  archive.numbers("results", [&](auto& v) {
+    v(counters_, augmentations_, kinetic_at_start);
+    watch_.list_state(v);
+    penalty_.list_state(v);
+  });
+  if (!archive.takes())
+    return;
+  state_ = scene::make_state(model_, x, model_.equations->time(), counters_);
+  state_.energy.kinetic_at_start = kinetic_at_start;
+  written_ = state_.time;
 }
 
 void Recorder::step(const solver::StepReport& report, const Vector& x) {

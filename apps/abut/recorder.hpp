@@ -19,9 +19,14 @@ namespace abut::app {
 /// wants the equations evaluated at the x it speaks of.
 class Recorder {
 public:
-  /// Starts the files, `stem` being their path without extension, with the state at t = 0. Throws
-  /// InputError when they cannot be written.
-  Recorder(const Model& model, const std::string& stem, Progress& progress, const Vector& x);
+  /// Starts the files, `stem` being their path without extension: with the state x at t = 0, or
+  /// without any where a further part of the run begins, whose course so far is to be taken by
+  /// exchange_state. Throws InputError when they cannot be written.
+  Recorder(const Model& model, const std::string& stem, int part, Progress& progress,
+           const Vector& x);
+
+  /// What it knows of the course of the run; when it has been taken, its state is x.
+  void exchange_state(StateArchive& archive, const Vector& x);
 
   void step(const solver::StepReport& report, const Vector& x);
   /// Writes the last converged state, where it has not been.
@@ -45,7 +50,7 @@ private:
   ContactWatch watch_;
   scene::PenaltyWatch penalty_;
   long long augmentations_ = 0; ///< of the last one
-  double written_ = 0.0;        ///< t
+  double written_ = 0.0;        ///< t of the last state that needs no writing
 };
 
 } // namespace abut::app

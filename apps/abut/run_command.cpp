@@ -2,10 +2,12 @@
 #include "run_command.hpp"
 
 #include "augmentation.hpp"
+#include "checkpoints.hpp"
 #include "exit_status.hpp"
 #include "memory_words.hpp"
 #include "protect.hpp"
 #include "recorder.hpp"
+#include "restart.hpp"
 #include "run_lock.hpp"
 #include "signals.hpp"
 #include "summary.hpp"
@@ -24,9 +26,9 @@
 #include <CLI/CLI.hpp>
 #include <Teuchos_ParameterListExceptions.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 
 namespace abut::app {
@@ -34,7 +36,7 @@ namespace abut::app {
 namespace {
 
 struct RunOptions {
-  std::string deck, summary, output_dir = ".";
+  std::string deck, summary, restart, output_dir = ".";
   bool quiet = false, strict_verify = false;
 };
 
@@ -45,15 +47,22 @@ std::string output_stem(const deck::Deck& deck, const std::string& dir) {
   return (std::filesystem::path(dir) / name).string();
 }
 
-/// The results must not land on the mesh they are computed on, nor on anything but results.
-void protect_files(const Model& m, const std::string& stem) {
+std::string checkpoint_path(const std::string& stem) {
+  return stem + ".checkpoint";
+}
+
+/// The results must not land on the mesh they are computed on, nor on anything but results; so with
+/// checkpoints.
+void protect_files(const Model& m, const std::string& stem, int part) {
   namespace fs = std::filesystem;
   m.comm.on_root([&] {
     std::error_code error;
     if (!m.deck.mesh.file.empty() && fs::equivalent(m.deck.mesh_path(), stem + ".exo", error))
       throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
                        m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
-    protect_from_results(stem + ".exo");
+    protect_from_results(stem + ".exo" + io::part_suffix(part));
+    if (m.deck.output.checkpoint.active)
+      protect_from_checkpoint(checkpoint_path(stem));
   });
 }
 
@@ -134,13 +143,18 @@ struct Outcome {
   }
 };
 
-/// Raises the load; x and the equations are then those of the last converged step.
-Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& linear, Vector& x,
-              Progress& progress, Recorder& recorder) {
-  const contact::AugmentationPolicy policy(m.contacts);
+solver::NewtonOptions newton_options(const Model& m) {
   solver::NewtonOptions options = m.deck.newton;
-  options.inexact = options.inexact && policy.allows_loose_solves();
-  solver::NewtonSolver newton(linear, options, m.deck.linear.tolerance);
+  options.inexact =
+      options.inexact && contact::AugmentationPolicy(m.contacts).allows_loose_solves();
+  return options;
+}
+
+/// Raises the load; x and the equations are then those of the last converged step.
+Outcome solve(Model& m, solver::AssembledSystem& system, solver::NewtonSolver& newton, Vector& x,
+              const solver::Standing& from, Progress& progress, Recorder& recorder,
+              Checkpoints& checkpoints) {
+  const contact::AugmentationPolicy policy(m.contacts);
   solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
   const Signals signals;
@@ -156,6 +170,11 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& l
         [&](const auto& report) {
           signals.require_none(m.comm);
           progress.iteration(report);
+        },
+        from,
+        [&](const solver::Standing& standing) {
+          if (checkpoints.step(standing))
+            newton.linear().forget(); // as a run does that starts here
         });
   } catch (const MachineError& e) {
     outcome.end_by(e);
@@ -230,31 +249,22 @@ void say_how_it_ended(const Model& m, const Outcome& outcome, double seconds,
                outcome.written ? "Everything up to there" : "What could be written", file);
 }
 
-int run(const RunOptions& options) {
-  const Comm comm(MPI_COMM_WORLD);
-  const auto start = std::chrono::steady_clock::now();
-  create_folder(comm, options.output_dir);
-  if (!options.summary.empty())
-    comm.on_root([&] { protect_from_summary(options.summary); });
-  const auto model = build_model(comm, options.deck);
-  Model& m = *model;
-  const std::string stem = output_stem(m.deck, options.output_dir);
-  protect_files(m, stem);
-  const RunLock lock(comm, stem + ".exo"), summary_lock(comm, options.summary);
-  Progress progress(comm.is_root(), options.quiet, comm.size() > 1, m.deck.time.end);
+/// All that has a state between two steps, in the order in which it can be taken.
+ExchangeState owners_of_state(Model& m, solver::NewtonSolver& newton, Vector& x,
+                              Recorder& recorder) {
+  return [&](StateArchive& archive, solver::Standing& standing) {
+    solver::exchange_state(archive, x.getMap(), m.equations->dofs().row_keys(), standing);
+    scene::exchange_state(archive, m, x);
+    newton.exchange_state(archive);
+    recorder.exchange_state(archive, x);
+  };
+}
 
-  Vector x(m.equations->dofs().map());
-  solver::AssembledSystem system(*m.equations);
-  prepare(m, system, x);
-  announce(m, progress);
-  const auto linear =
-      solver::make_linear_solver(m.deck.linear, system, progress.sink(), m.timers.get());
-  if (m.deck.dynamics.active)
-    scene::start_motion(m.deck, m, *linear, x);
-  Recorder recorder(m, stem, progress, x);
-  Outcome outcome = solve(m, system, *linear, x, progress, recorder);
+/// What the user hears and reads of a run that has ended; returns its exit status.
+int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const Recorder& recorder,
+             const solver::LinearSolver& linear, const solver::Stopwatch& watch,
+             Progress& progress) {
   solver::LoadResult& result = outcome.result;
-  write_last(recorder, outcome);
   if (!result.converged && !outcome.machine)
     result.reason += why_stopped(m, recorder, result);
   for (const auto& list : {recorder.watch().warnings(m, result.converged),
@@ -267,9 +277,8 @@ int run(const RunOptions& options) {
   facts.reason = result.reason;
   facts.warnings = progress.warnings();
   facts.penalty = recorder.penalty_error();
-  facts.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  facts.linear = used_methods(*linear);
+  facts.wall_seconds = watch.seconds();
+  facts.linear = used_methods(linear);
   say_what_linear_solves_cost(facts.linear, progress);
   const auto verdicts = judge(m, recorder.state(), result.converged, progress);
   say_how_it_ended(m, outcome, facts.wall_seconds, recorder.path(), progress);
@@ -281,6 +290,49 @@ int run(const RunOptions& options) {
   return verified || !options.strict_verify ? ExitStatus::converged : ExitStatus::unverified;
 }
 
+int run(const RunOptions& options) {
+  const Comm comm(MPI_COMM_WORLD);
+  const solver::Stopwatch watch;
+  create_folder(comm, options.output_dir);
+  if (!options.summary.empty())
+    comm.on_root([&] { protect_from_summary(options.summary); });
+  const auto model = build_model(comm, options.deck);
+  Model& m = *model;
+  std::optional<Restart> restart;
+  if (!options.restart.empty())
+    restart.emplace(m, options.restart);
+  const int part = restart ? restart->part() : 1;
+  const std::string stem = output_stem(m.deck, options.output_dir);
+  protect_files(m, stem, part);
+  const RunLock lock(comm, stem + ".exo"), summary_lock(comm, options.summary);
+  Progress progress(comm.is_root(), options.quiet, comm.size() > 1, m.deck.time.end);
+
+  Vector x(m.equations->dofs().map());
+  solver::AssembledSystem system(*m.equations);
+  prepare(m, system, x);
+  announce(m, progress);
+  const auto linear =
+      solver::make_linear_solver(m.deck.linear, system, progress.sink(), m.timers.get());
+  if (m.deck.dynamics.active)
+    scene::start_motion(m.deck, m, *linear, x);
+  solver::NewtonSolver newton(*linear, newton_options(m), m.deck.linear.tolerance);
+  Recorder recorder(m, stem, part, progress, x);
+  const ExchangeState exchange = owners_of_state(m, newton, x, recorder);
+  solver::Standing standing;
+  if (restart) {
+    standing = restart->take(exchange);
+    progress.go_on(standing.counters.steps, standing.t);
+  }
+  Checkpoints checkpoints(m, checkpoint_path(stem), part, exchange, progress);
+  Outcome outcome = solve(m, system, newton, x, standing, progress, recorder, checkpoints);
+  write_last(recorder, outcome);
+  if (!outcome.result.converged)
+    checkpoints.finish();
+  const int status = conclude(m, options, outcome, recorder, *linear, watch, progress);
+  checkpoints.finish(); // of the end last: who finds it finds all that the run was to write
+  return status;
+}
+
 } // namespace
 
 void add_run_command(CLI::App& app, int& status) {
@@ -289,6 +341,8 @@ void add_run_command(CLI::App& app, int& status) {
   command->add_option("DECK", options->deck, "YAML or XML deck")->required();
   command->add_option("--summary", options->summary, "Write what the run found and spent as JSON");
   command->add_option("--output-dir", options->output_dir, "Folder of the results");
+  command->add_option("--restart", options->restart,
+                      "Go on from a checkpoint of this deck's model, on any number of ranks");
   command->add_flag("--quiet", options->quiet, "Print errors and failed comparisons only");
   command->add_flag("--strict-verify", options->strict_verify,
                     "End with status 4 when a comparison of 'verify' fails");

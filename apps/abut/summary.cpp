@@ -116,6 +116,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"ranks", m.comm.size()},
                {"unknowns", m.equations->dofs().num_global_rows() * m.equations->dofs().fields()},
                {"steps", s.counters.steps},
+               {"t", s.time},
                {"extrapolated_steps", s.counters.extrapolated_steps},
                {"newton_iterations", s.counters.newton_iterations},
                {"augmentations", s.counters.augmentations},
@@ -135,7 +136,6 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"penalty_error", facts.penalty.whole},
                {"verify", Json::array()}};
   if (m.inertia) {
-    const auto list = [](const Vec3& v) { return Json{v[0], v[1], v[2]}; };
     json["energy"]["kinetic"] = s.energy.kinetic;
     json["momentum"] = list(s.momentum);
     json["angular_momentum"] = list(s.angular_momentum);

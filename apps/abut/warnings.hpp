@@ -23,11 +23,15 @@ public:
   /// so deep that their pressure means little.
   std::vector<std::string> warnings(const Model& model, bool converged) const;
 
+  /// See StateNumbers.
+  template <class V> void list_state(V& v) { v(looks_, seen_); }
+
 private:
   int looks_ = 0;
   struct Seen {
     bool touched = false;
     double deepest = 0.0; ///< in sizes of the face
+    template <class V> friend void list_state(V& v, Seen& s) { v(s.touched, s.deepest); }
   };
   std::vector<Seen> seen_;
 };

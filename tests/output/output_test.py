@@ -18,7 +18,7 @@ ELEMENT = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "str
 GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in", "energy_stored", "energy_penalty",
           "energy_friction", "energy_imbalance", "pair_force_x", "pair_force_y",
           "pair_force_z"]
-SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "extrapolated_steps", "newton_iterations", "augmentations",
+SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "t", "extrapolated_steps", "newton_iterations", "augmentations",
            "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
            "contact", "energy", "penalty_error", "verify", "warnings"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]

@@ -4,6 +4,7 @@
 #include "abut/core/trilinos.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace abut::assembly {
 
@@ -47,6 +48,30 @@ void Constraints::accept() {
   for (auto* list : {&nodes_, &others_})
     for (RowConstraint& c : *list)
       c.has_held = c.holds;
+}
+
+void Constraints::exchange_state(StateArchive& archive, const std::vector<Global>& rows, double t) {
+  constexpr Global most = 256; // constraints of one row
+  std::unordered_map<Local, Global> seen;
+  std::vector<Global> keys;
+  std::vector<double> starts;
+  for (const auto* list : {&nodes_, &others_})
+    for (const RowConstraint& c : *list)
+      if (c.relative) {
+        keys.push_back((3 * rows[static_cast<std::size_t>(c.row / 3)] + c.row % 3) * most +
+                       seen[c.row]++);
+        starts.push_back(c.start);
+      }
+  archive.rows("constraints.start", keys, 1, starts.data());
+  if (!archive.takes())
+    return;
+  follow(t, {});
+  auto start = starts.begin();
+  for (auto* list : {&nodes_, &others_})
+    for (RowConstraint& c : *list)
+      if (c.relative)
+        c.start = *start++;
+  accept();
 }
 
 } // namespace abut::assembly

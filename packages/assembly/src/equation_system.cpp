@@ -121,7 +121,7 @@ void EquationSystem::prepare(const Vector& x) {
   forces_known_ = residual_known_ = false;
   bodies_.move(std::move(placements));
   joints_.move(std::move(multipliers), time_);
-  if (contributions_.prepare(fields()))
+  if (contributions_.prepare(fields(u_)))
     tangent_.reset();
   bodies_.follow(contributions_.pattern());
   bodies_.move_masses(time_ - motion_.accepted_time());
@@ -161,20 +161,20 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
   if (bodies_.have_unknowns() && !forces_known_) {
     bodies_.clear_forces();
     for (const Force which : {Force::internal, Force::other, Force::inertial})
-      contributions_.residual(which, fields(), bodies_);
+      contributions_.residual(which, fields(u_), bodies_);
     bodies_.sum_forces();
     forces_known_ = true;
   }
   const double weight = mass_alone ? 1.0 : motion_.weight();
   const View<double>& values = tangent_.clear();
-  contributions_.add_tangents(Force::inertial, fields(), bodies_, values.data());
+  contributions_.add_tangents(Force::inertial, fields(u_), bodies_, values.data());
   if (weight != 1.0)
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] *= weight;
   if (!mass_alone) {
     contributions_.add_tangents(Force::internal, fields(linear_ ? u_accepted_ : u_), bodies_,
                                 values.data());
-    contributions_.add_tangents(Force::other, fields(), bodies_, values.data());
+    contributions_.add_tangents(Force::other, fields(u_), bodies_, values.data());
   }
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   const unknowns::BlockPattern& pattern = contributions_.pattern();
@@ -208,7 +208,7 @@ RCP<const Matrix> EquationSystem::predictor(const Vector& x, Vector& rhs) {
 
 void EquationSystem::add_work(const Vector& x) {
   WorkLedger::State now;
-  now.loads = contributions_.loads(fields(), bodies_);
+  now.loads = contributions_.loads(fields(u_), bodies_);
   bodies_.add_loads(time_, now.loads.data());
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (std::size_t i = 0; i < now.loads.size(); ++i)
@@ -233,6 +233,23 @@ void EquationSystem::accept(const Vector& x) {
   residual_known_ = false; // histories and the past have moved on
   if (bodies_.have_unknowns())
     prepared_ = false; // the same place, but the rotation's increments count from here
+}
+
+void EquationSystem::exchange_state(StateArchive& archive, Vector& x) {
+  const std::vector<Global> rows = dofs_.row_keys();
+  ABUT_REQUIRE(dofs_.fields() == 3, "rows of three");
+  archive.numbers("equations", [&](auto& v) { v(time_, joints_scaled_); });
+  archive.rows("unknowns", rows, 3, x.getLocalViewHost(Tpetra::Access::ReadWrite).data());
+  bodies_.exchange_state(archive);
+  joints_.exchange_state(archive);
+  work_.exchange_state(archive, rows);
+  motion_.exchange_state(archive, rows);
+  constraints_.exchange_state(archive, rows, time_);
+  if (!archive.takes())
+    return;
+  u_accepted_ = nodal_values(x);
+  scale_joints_ = prepared_ = forces_known_ = residual_known_ = false;
+  tangent_.reset();
 }
 
 void EquationSystem::reject() {

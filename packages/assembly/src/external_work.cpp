@@ -34,4 +34,14 @@ void WorkLedger::add(State now, const std::vector<char>& constrained, std::size_
   last = std::move(now);
 }
 
+void WorkLedger::exchange_state(StateArchive& archive, const std::vector<Global>& rows) {
+  archive.numbers("work",
+                  [&](auto& v) { v(work_.loads, work_.supports, last_.bodies, last_.joints); });
+  for (auto* list : {&last_.x, &last_.loads, &last_.raw})
+    list->resize(3 * rows.size(), 0.0);
+  archive.rows("work.unknowns", rows, 3, last_.x.data());
+  archive.rows("work.loads", rows, 3, last_.loads.data());
+  archive.rows("work.forces", rows, 3, last_.raw.data());
+}
+
 } // namespace abut::assembly

@@ -23,6 +23,13 @@ void MotionTerms::complete(std::vector<double>& residual, const std::vector<char
                                  : forces_[i] + rule_->inertia() * rates_[i] + past_[i];
 }
 
+void MotionTerms::exchange_state(StateArchive& archive, const std::vector<Global>& rows) {
+  if (!rule_)
+    return;
+  archive.numbers("inertia.time", [&](auto& v) { v(accepted_time_); });
+  archive.rows("inertia.past", rows, 3, past_.data());
+}
+
 void MotionTerms::accept(double t) {
   accepted_time_ = t;
   if (!rule_ || !rule_->has_past())

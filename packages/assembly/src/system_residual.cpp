@@ -56,8 +56,8 @@ void EquationSystem::sum_forces() {
       break;
     std::vector<double> buffer =
         which == Force::internal && linear_
-            ? contributions_.linear_residual(fields(u_accepted_), fields(), bodies_)
-            : contributions_.residual(which, fields(), bodies_);
+            ? contributions_.linear_residual(fields(u_accepted_), fields(u_), bodies_)
+            : contributions_.residual(which, fields(u_), bodies_);
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
     contributions_.pattern().add_shared_residual(buffer.data());
     if (which == Force::other)

@@ -2,6 +2,7 @@
 #include "abut/contact/interaction.hpp"
 
 #include "abut/core/error.hpp"
+#include "history/exchange.hpp"
 #include "history/nearest_hold.hpp"
 #include "history/steps.hpp"
 #include "kernels/node_tangent.hpp"
@@ -398,6 +399,22 @@ void Interaction::accept() {
 void Interaction::reject() {
   Parts& p = *parts_;
   drop_step(p.data);
+  p.augmenter.clear();
+  p.iterates = p.step_iterates = 0;
+  ++p.state_version;
+}
+
+void exchange_state(StateArchive& archive, Interaction& interface, const NodalFields& accepted) {
+  Interaction::Parts& p = *interface.parts_;
+  const std::string path = "contact." + p.data.settings.name + ".";
+  archive.numbers(path + "interface", [&](auto& v) {
+    v(p.started, p.established, p.data.factor, p.data.terms.law.hair_share);
+    p.augmenter.list_state(v);
+  });
+  exchange_history(archive, path, p.data);
+  if (!archive.takes())
+    return;
+  p.data.place.start_at(accepted);
   p.augmenter.clear();
   p.iterates = p.step_iterates = 0;
   ++p.state_version;

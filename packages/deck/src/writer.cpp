@@ -4,6 +4,7 @@
 #include "abut/deck/parse.hpp"
 #include "describe.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace abut::deck {
@@ -64,6 +65,17 @@ std::string to_yaml(const Deck& deck) {
   Deck copy = deck; // the visitors take what Filler may change
   describe(writer, copy);
   return out;
+}
+
+std::string model_yaml(const Deck& deck) {
+  Deck model;
+  static_cast<scene::Options&>(model) = deck;
+  model.time = {};
+  if (std::any_of(deck.contact.begin(), deck.contact.end(), [](const contact::ContactOptions& c) {
+        return c.initial_overlap == contact::InitialOverlap::resolve;
+      }))
+    model.time.end = deck.time.end; // it is pushed out until then
+  return to_yaml(model);
 }
 
 } // namespace abut::deck

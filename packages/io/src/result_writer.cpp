@@ -16,10 +16,10 @@ namespace {
 
 constexpr Global one_file_nodes = 200000;
 
-/// STEM.exo.04.1 -> the same width for all ranks, as the Exodus tools expect.
-std::string rank_path(const std::string& stem, const Comm& comm) {
+/// FILE.04.1 -> the same width for all ranks, as the Exodus tools expect.
+std::string rank_path(const std::string& file, const Comm& comm) {
   const std::string ranks = std::to_string(comm.size()), rank = std::to_string(comm.rank());
-  return stem + ".exo." + ranks + "." + std::string(ranks.size() - rank.size(), '0') + rank;
+  return file + "." + ranks + "." + std::string(ranks.size() - rank.size(), '0') + rank;
 }
 
 /// Facts that tell which part of the whole a file is (Nemesis).
@@ -63,6 +63,13 @@ int longest(const ResultNames& names, int length) {
 
 } // namespace
 
+std::string part_suffix(int part) {
+  std::string number = std::to_string(part);
+  if (number.size() < 3)
+    number.insert(0, 3 - number.size(), '0');
+  return part > 1 ? "-s" + number : "";
+}
+
 struct ResultWriter::Impl {
   Impl(const mesh::Mesh& m, const ResultNames& n)
       : mesh(m), names(n), ghosts(mesh::node_exchange(m)) {}
@@ -99,7 +106,7 @@ void ResultWriter::Impl::create(const mesh::MeshData& part) {
 }
 
 ResultWriter::ResultWriter(const std::string& stem, const mesh::Mesh& mesh,
-                           const ResultNames& names, Files files)
+                           const ResultNames& names, Files files, int part_number)
     : impl_(std::make_unique<Impl>(mesh, names)) {
   Impl& w = *impl_;
   const Comm& comm = mesh.comm;
@@ -107,7 +114,8 @@ ResultWriter::ResultWriter(const std::string& stem, const mesh::Mesh& mesh,
     w.elements += b.size();
   w.one = comm.size() == 1 || files == Files::one ||
           (files == Files::automatic && mesh.num_nodes <= one_file_nodes);
-  w.path = w.one ? stem + ".exo" : rank_path(stem, comm);
+  const std::string file = stem + ".exo" + part_suffix(part_number);
+  w.path = w.one ? file : rank_path(file, comm);
 
   mesh::MeshData part;
   std::vector<Global> block_counts;

@@ -177,6 +177,14 @@ void Bodies::accept() {
   }
 }
 
+void Bodies::exchange_state(StateArchive& archive) {
+  archive.numbers("rigid_bodies", [&](auto& v) {
+    v(accepted_rotation_, accepted_vector_, accepted_unknowns_);
+    for (Inertia& inertia : inertia_)
+      inertia.list_state(v);
+  });
+}
+
 void Bodies::follow(const unknowns::BlockPattern& pattern) {
   pattern_ = &pattern;
   const unknowns::PatternRigidNodes& nodes = pattern.rigid_nodes();

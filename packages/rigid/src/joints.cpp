@@ -236,6 +236,12 @@ void Joints::accept() {
   }
 }
 
+void Joints::exchange_state(StateArchive& archive) {
+  archive.numbers("joints", [&](auto& v) {
+    v(stiffness_, accepted_angle_, accepted_turn_, accepted_rotation_);
+  });
+}
+
 void Joints::put_origins(double* x) const {
   for (std::size_t j = 0; j < joints_.size(); ++j)
     for (std::size_t i = 0; owns(j) && i < 6; ++i)

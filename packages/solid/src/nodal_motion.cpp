@@ -68,6 +68,21 @@ void NodalMotion::move(double t, const double* u) {
       TrialRates{rule_, dt, before_, slopes_.lead, last_, u_before_, velocity_before_, trial_});
 }
 
+void NodalMotion::exchange_state(StateArchive& archive, const std::vector<Global>& keys) {
+  ABUT_REQUIRE(3 * keys.size() == size(), "three numbers for each node");
+  archive.numbers("motion.time", [&](auto& v) { v(time_, before_); });
+  archive.rows("motion.displacement", keys, 3, last_.u.data());
+  archive.rows("motion.velocity", keys, 3, last_.velocity.data());
+  archive.rows("motion.acceleration", keys, 3, last_.acceleration.data());
+  archive.rows("motion.displacement_before", keys, 3, u_before_.data());
+  archive.rows("motion.velocity_before", keys, 3, velocity_before_.data());
+  if (!archive.takes())
+    return;
+  trial_time_ = time_;
+  slopes_.free = slopes_.led = 1.0;
+  copy(trial_, last_);
+}
+
 void NodalMotion::accept() {
   if (!(trial_time_ > time_))
     return;

@@ -20,6 +20,10 @@ public:
 
   void forget() override;
   void step_accepted() override { passed_on_ = false; }
+  void exchange_state(StateArchive& archive) override {
+    if (archive.holds("linear_solver")) // steps may go on with another solver
+      archive.numbers("linear_solver", [&](auto& v) { v(spared_, next_spared_); });
+  }
   std::vector<LinearUse> uses() const override;
 
 private:

@@ -34,6 +34,14 @@ public:
   /// is solved as far as a correction would count: in a linear scene there is nothing else to do.
   double predictor_tolerance();
 
+  /// What it keeps from step to step, see StateNumbers.
+  template <class V> void list_state(V& v) {
+    bool known = prediction_error_.has_value();
+    double error = prediction_error_.value_or(0.0);
+    v(first_share_, known, error);
+    prediction_error_ = known ? std::optional<double>(error) : std::nullopt;
+  }
+
 private:
   double sufficient(double residual) const;
 

@@ -45,14 +45,21 @@ struct LoadStepping::Course {
 };
 
 LoadResult LoadStepping::run(NonlinearSystem& system, Vector& x, const StepCallback& on_step,
-                             const IterationCallback& on_iteration, double start) {
+                             const IterationCallback& on_iteration, const Standing& from,
+                             const StandingCallback& on_standing) {
   const double nominal = options_.end / options_.steps;
-  Course course{
-      system, x, Vector(x, Teuchos::Copy), StepStart(loop_.newton(), options_.prediction), nominal,
-      0,      {}};
+  Course course{system,
+                x,
+                Vector(x, Teuchos::Copy),
+                StepStart(loop_.newton(), options_.prediction, from.motions),
+                first_step(from),
+                0,
+                {}};
   LoadResult& result = course.result;
-  result.t = start;
-  const long long linear_before = loop_.newton().linear().total_iterations();
+  result.t = from.t;
+  result.counters = from.counters;
+  const long long linear_before =
+      loop_.newton().linear().total_iterations() - from.counters.linear_iterations;
   while (result.t < options_.end) {
     const double t = step_end(result.t, course.dt);
     const Attempt tried = attempt(course, t, on_iteration);
@@ -61,6 +68,8 @@ LoadResult LoadStepping::run(NonlinearSystem& system, Vector& x, const StepCallb
     result.counters.linear_iterations = loop_.newton().linear().total_iterations() - linear_before;
     if (tried.reason.empty()) {
       finish_step(course, tried, t, on_step);
+      if (on_standing)
+        on_standing({result.t, course.dt, nominal, result.counters, course.start.motions()});
       continue;
     }
     system.reject();
@@ -128,6 +137,13 @@ void LoadStepping::finish_step(Course& course, const Attempt& tried, double t,
   course.cuts = 0;
   if (solved.solves.front().iterations <= options_.target_iterations)
     course.dt = std::min(options_.end / options_.steps, growth * course.dt);
+}
+
+/// A step that was cut is as short again, also where steps have another length by now.
+double LoadStepping::first_step(const Standing& from) const {
+  const double nominal = options_.end / options_.steps;
+  const bool same = from.nominal == nominal;
+  return from.dt == 0.0 ? nominal : same ? from.dt : nominal * (from.dt / from.nominal);
 }
 
 double LoadStepping::step_end(double t, double dt) const {

@@ -97,6 +97,11 @@ double NewtonSolver::predictor_tolerance() {
   return linear_tolerance_ ? *linear_tolerance_ : forcing_->predictor_tolerance();
 }
 
+void NewtonSolver::exchange_state(StateArchive& archive) {
+  archive.numbers("newton", [&](auto& v) { forcing_->list_state(v); });
+  linear_.exchange_state(archive);
+}
+
 void NewtonSolver::begin_step(const Vector& x) {
   step_start_ = rcp(new Vector(x, Teuchos::Copy));
   largest_work_ = 0.0;

@@ -88,7 +88,7 @@ void StepStart::accepted(const Vector& before, const Vector& x, double dt, bool 
   before_last_ = last_;
   const auto velocity = rcp(new Vector(x, Teuchos::Copy));
   velocity->update(-1.0 / dt, before, 1.0 / dt);
-  last_ = alone ? Motion{velocity, dt} : Motion{};
+  last_ = alone ? StepMotion{velocity, dt} : StepMotion{};
   trusted_ = true;
 }
 

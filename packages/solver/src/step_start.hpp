@@ -3,6 +3,7 @@
 
 #include "abut/core/trilinos_fwd.hpp"
 #include "abut/solver/options.hpp"
+#include "abut/solver/standing.hpp"
 
 #include <vector>
 
@@ -17,7 +18,9 @@ class NonlinearSystem;
 class StepStart {
 public:
   /// `newton`, whose linear solver is used, must outlive this object.
-  StepStart(NewtonSolver& newton, StepPrediction kind) : newton_(newton), kind_(kind) {}
+  /// motions: of the steps before, the newest first.
+  StepStart(NewtonSolver& newton, StepPrediction kind, std::array<StepMotion, 2> motions)
+      : newton_(newton), kind_(kind), last_(motions[0]), before_last_(motions[1]) {}
 
   /// x from the equilibrium of the last step to the start of one that is dt longer; the system is
   /// at the new time already. Whether it was extrapolated. Throws SolveError. Collective.
@@ -27,19 +30,15 @@ public:
   /// A step of length dt from `before` on has ended. alone: by Newton; multipliers that were
   /// changed have moved x in a way that the next step's will not until they change again.
   void accepted(const Vector& before, const Vector& x, double dt, bool alone);
+  std::array<StepMotion, 2> motions() const { return {last_, before_last_}; }
 
 private:
-  /// The last step's mean velocity, and the length of the step.
-  struct Motion {
-    RCP<const Vector> velocity; ///< null: none is known
-    double dt = 0.0;
-  };
   bool extrapolate(NonlinearSystem& system, Vector& x, double dt) const;
   std::vector<Vector> continuations(const Vector& x, double dt) const;
 
   NewtonSolver& newton_;
   StepPrediction kind_;
-  Motion last_, before_last_;
+  StepMotion last_, before_last_;
   bool trusted_ = true;
 };
 

@@ -114,4 +114,23 @@ std::vector<double> DofMap::coordinates(const std::vector<Global>& nodes) const 
   return result;
 }
 
+std::vector<Global> DofMap::row_keys() const {
+  std::vector<Global> keys(static_cast<std::size_t>(num_rows()), -1);
+  for (Local r = 0; r < num_node_rows(); ++r)
+    keys[std::size_t(r)] = mesh_.node_input[std::size_t(node_of_row(r))];
+  Global next = mesh_.num_nodes;
+  const auto name_pair = [&](Global row) { // of a body or a link, on its owner
+    for (int i = 0; i < 2; ++i, ++next) {
+      const Global mine = row + i - first_row();
+      if (row >= 0 && mine >= 0 && mine < num_rows())
+        keys[std::size_t(mine)] = next;
+    }
+  };
+  for (int b = 0; b < num_bodies(); ++b)
+    name_pair(row_of_body(b));
+  for (int i = 0; i < num_links(); ++i)
+    name_pair(row_of_link(i));
+  return keys;
+}
+
 } // namespace abut::unknowns

@@ -95,9 +95,12 @@ Run run(Slider& system, TimeOptions time, solver::NewtonOptions newton_options =
   solver::AugmentedLagrangian loop(newton);
   solver::LoadStepping stepping(loop, time);
   Vector x = system.vector(from);
+  solver::Standing standing;
+  standing.t = start;
   Run done;
   done.result = stepping.run(
-      system, x, [&](const StepReport& r, const Vector&) { done.steps.push_back(r); }, {}, start);
+      system, x, [&](const StepReport& r, const Vector&) { done.steps.push_back(r); }, {},
+      standing);
   done.x = system.gather(x);
   return done;
 }

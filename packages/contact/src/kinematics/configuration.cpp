@@ -82,6 +82,11 @@ void Configuration::move(const NodalFields& fields) {
   x_secondary_previous_ = x_secondary_;
 }
 
+void Configuration::start_at(const NodalFields& fields) {
+  placed_ = collected_ = false;
+  move(fields);
+}
+
 void Configuration::accept() {
   primary_.accept();
   x_secondary_previous_ = x_secondary_;

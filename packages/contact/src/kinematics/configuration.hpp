@@ -44,6 +44,8 @@ public:
 
   /// Moves both surfaces to where the fields have them; the first time it is where they start.
   void move(const NodalFields& fields);
+  /// A run goes on from where the fields have both surfaces: that is the last converged step.
+  void start_at(const NodalFields& fields);
   /// Brings the facing surface to the present configuration. Collective.
   void follow();
   /// Calls `work` in the configuration of the last converged step.

@@ -31,6 +31,8 @@ public:
   void clear();
   /// The next step is the first one again.
   void restart();
+  /// What it keeps from step to step, see StateNumbers.
+  template <class V> void list_state(V& v) { v(increments_, factor_chosen_); }
   /// Averages leave a penetration of no more than p_max/(6 f E) face sizes: f for the one that is
   /// asked for. Once, at the end of the first step in contact. Collective.
   void choose_factor();

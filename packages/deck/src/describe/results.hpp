@@ -8,6 +8,13 @@
 
 namespace abut::deck {
 
+template <class V> void describe(V& v, io::CheckpointOptions& o) {
+  v.optional("every", o.every, "after every n-th converged step", at_least(1.0, "1"));
+  v.optional("minutes", o.minutes, "after so much wall time, at the end of a step",
+             positive("minutes"));
+  v.at_least_one({"every", "minutes"});
+}
+
 template <class V> void describe(V& v, io::OutputOptions& o) {
   using io::Files;
   v.optional("name", o.name, "file name without folder and extension; empty: the deck's name");
@@ -21,6 +28,11 @@ template <class V> void describe(V& v, io::OutputOptions& o) {
   v.optional("points", o.points, "write a table of all contact points, NAME.points.csv");
   v.optional("every", o.every, "write every n-th converged step; the last one always",
              at_least(1.0, "1"));
+  v.optional_group(
+      "checkpoint", o.checkpoint.active,
+      "write NAME.checkpoint, from which 'abut run DECK --restart NAME.checkpoint' goes "
+      "on; the last converged step always, also of a run that stops",
+      [&](auto& w) { describe(w, o.checkpoint); });
 }
 
 template <class V> void describe(V& v, VerifyOptions& o) {

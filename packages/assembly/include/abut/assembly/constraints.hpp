@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/state_archive.hpp"
 #include "abut/core/trilinos_fwd.hpp"
 #include "abut/core/window.hpp"
 #include "abut/unknowns/dof_map.hpp"
@@ -37,6 +38,9 @@ public:
   void apply(Vector& x, double t) const;
   /// The present state is converged.
   void accept();
+  /// What relative values count from, at the last converged state, which was at t. rows: keys of
+  /// the owned block rows.
+  void exchange_state(StateArchive& archive, const std::vector<Global>& rows, double t);
 
 private:
   std::vector<unknowns::RowConstraint> nodes_, others_;

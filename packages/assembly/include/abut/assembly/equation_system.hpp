@@ -6,6 +6,7 @@
 #include "abut/assembly/external_work.hpp"
 #include "abut/assembly/motion_terms.hpp"
 #include "abut/assembly/tangent_matrix.hpp"
+#include "abut/core/state_archive.hpp"
 #include "abut/core/timers.hpp"
 #include "abut/rigid/bodies.hpp"
 #include "abut/rigid/joints.hpp"
@@ -87,6 +88,10 @@ public:
   /// The last residual must be that at x.
   void accept(const Vector& x);
   void reject();
+  /// The last accepted state x, its time and all that the next step needs of it, without what the
+  /// contributions remember. After taking the equations are to be evaluated anew. Collective.
+  void exchange_state(StateArchive& archive, Vector& x);
+
   const ExternalWork& external_work() const { return work_.work(); }
 
   // --- dynamics: t is the time, and rates of momentum are part of the equations ---
@@ -115,7 +120,6 @@ private:
   NodalFields fields(const std::vector<double>& u) const {
     return {u.data(), dofs_.fields(), time_};
   }
-  NodalFields fields() const { return fields(u_); }
 
   unknowns::DofMap dofs_;
   PhaseTimers& timers_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/state_archive.hpp"
 #include "abut/rigid/joints.hpp"
 
 #include <vector>
@@ -26,6 +27,9 @@ public:
   /// are of nodes. Collective.
   void add(State now, const std::vector<char>& constrained, std::size_t node_rows,
            const rigid::Joints& joints, const Comm& comm);
+
+  /// rows: keys of the owned block rows of three.
+  void exchange_state(StateArchive& archive, const std::vector<Global>& rows);
 
   const ExternalWork& work() const { return work_; }
   const std::vector<double>& last_x() const { return last_.x; } ///< empty before the first state

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/state_archive.hpp"
 #include "abut/core/time_integration.hpp"
 
 #include <optional>
@@ -27,6 +28,8 @@ public:
   double at_end(std::size_t row) const { return forces_[row] + rates_[row]; }
   /// The last residual is that of a converged state at t.
   void accept(double t);
+  /// rows: keys of the owned block rows of three.
+  void exchange_state(StateArchive& archive, const std::vector<Global>& rows);
 
 private:
   std::optional<TimeIntegration> rule_;

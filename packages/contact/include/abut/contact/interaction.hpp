@@ -6,6 +6,7 @@
 #include "abut/contact/resolve.hpp"
 #include "abut/contact/summary.hpp"
 #include "abut/core/contribution.hpp"
+#include "abut/core/state_archive.hpp"
 #include "abut/mesh/surface.hpp"
 
 #include <functional>
@@ -102,8 +103,15 @@ public:
   double wrong_facing_share() const;
 
 private:
+  friend void exchange_state(StateArchive&, Interaction&, const NodalFields&);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// What an interface remembers between two steps. accepted: displacements at the end of the last
+/// one, for taking; the interface must have been prepared where the run starts. Taking is
+/// collective.
+void exchange_state(StateArchive& archive, Interaction& interface, const NodalFields& accepted);
 
 } // namespace abut::contact

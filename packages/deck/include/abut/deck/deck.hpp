@@ -130,4 +130,9 @@ Deck read_deck(const Comm& comm, const std::string& file);
 /// The whole deck as YAML, defaults included. Reads back as the same deck.
 std::string to_yaml(const Deck& deck);
 
+/// The part of it that decides what is solved: bodies, what acts on them, contact, dynamics; not
+/// the mesh, steps, solvers, output or comparisons. Of the steps their end, where initial overlaps
+/// are resolved until then.
+std::string model_yaml(const Deck& deck);
+
 } // namespace abut::deck

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace abut::io {
@@ -11,11 +12,19 @@ enum class Files {
   per_rank,
 };
 
+/// When a run writes down where it stands: whichever comes first; the last converged step always.
+struct CheckpointOptions {
+  bool active = false;
+  std::optional<int> every;      ///< converged steps
+  std::optional<double> minutes; ///< of wall time
+};
+
 struct OutputOptions {
   std::string name; ///< file name without folder and extension; empty: the deck's name
   Files files = Files::automatic;
   int every = 1;       ///< write every n-th converged step; the last one always
   bool points = false; ///< write a table of all contact points beside the fields
+  CheckpointOptions checkpoint;
 };
 
 } // namespace abut::io

@@ -23,15 +23,20 @@ struct ResultStep {
   std::vector<double> global;               ///< (names) taken from the root
 };
 
+/// What the name of a file of results gets behind it: nothing for the first part of a run, "-s002"
+/// for what a run writes that was started again from a checkpoint, and so on.
+std::string part_suffix(int part);
+
 /// Writes a mesh and time steps as Exodus II: one file STEM.exo in the order of the input, or one
-/// per rank, STEM.exo.RANKS.RANK, with number maps that say how they join. All members are
-/// collective, also construction. The files are readable after each step.
+/// per rank, STEM.exo.RANKS.RANK, with number maps that say how they join; further parts of a run
+/// STEM.exo-s002 ... All members are collective, also construction. The files are readable after
+/// each step.
 class ResultWriter {
 public:
   /// Creates the files and writes the mesh, which must outlive the writer. Throws InputError on all
   /// ranks when that fails anywhere.
   ResultWriter(const std::string& stem, const mesh::Mesh& mesh, const ResultNames& names,
-               Files files = Files::automatic);
+               Files files = Files::automatic, int part = 1);
   ~ResultWriter();
   ResultWriter(ResultWriter&&) noexcept;
   ResultWriter& operator=(ResultWriter&&) noexcept;
@@ -40,7 +45,7 @@ public:
   /// a list has the wrong length.
   void write_step(const ResultStep& step);
 
-  /// STEM.exo, or this rank's file.
+  /// The one file, or this rank's.
   const std::string& path() const;
   int steps() const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/core/scatter.hpp"
+#include "abut/core/state_archive.hpp"
 #include "abut/rigid/inertia.hpp"
 #include "abut/unknowns/block_pattern.hpp"
 #include "abut/unknowns/row_constraint.hpp"
@@ -53,6 +54,9 @@ public:
   void put_centers(double* x) const;
   /// The trial state becomes history.
   void accept();
+
+  /// Rotations and motion at the last accepted state.
+  void exchange_state(StateArchive& archive);
 
   /// Brings arms and rows up to date with the trial state and a pattern.
   void follow(const unknowns::BlockPattern& pattern);

@@ -69,4 +69,8 @@ struct BodyState {
   Vec3 moment = Vec3::zero();       ///< about the current center [force length]
 };
 
+template <class V> void list_state(V& v, BodyState& s) {
+  v(s.displacement, s.rotation, s.force, s.moment);
+}
+
 } // namespace abut::rigid

@@ -27,6 +27,14 @@ public:
   /// vector in space axes, rotation = exp(skew(step_rotation)) (rotation of the accepted state).
   void move(double dt, const Vec3& displacement, const Mat3& rotation, const Vec3& step_rotation);
   void accept();
+  /// The last accepted state, see StateNumbers; the trial state is then that one.
+  template <class V> void list_state(V& v) {
+    State& s = last_;
+    v(s.displacement, s.velocity, s.acceleration, s.rotation, s.spin, s.spin_rate, s.swing,
+      s.swing_rate, s.momentum, s.moment, displacement_before_, velocity_before_, before_);
+    now_ = last_;
+    dt_ = 0.0;
+  }
   const Mat3& accepted_rotation() const { return last_.rotation; }
 
   Vec3 force() const;  ///< rate of momentum

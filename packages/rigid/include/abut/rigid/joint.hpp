@@ -61,4 +61,8 @@ struct JointState {
   Vec3 step_rotation = Vec3::zero();
 };
 
+template <class V> void list_state(V& v, JointState& s) {
+  v(s.force, s.moment, s.translation, s.rotation, s.axial, s.energy, s.step_rotation);
+}
+
 } // namespace abut::rigid

@@ -39,6 +39,8 @@ public:
   void move(std::vector<double> multipliers, double t);
   /// The trial state becomes history.
   void accept();
+  /// Angles and rotations at the last accepted state, and the scale of the multipliers.
+  void exchange_state(StateArchive& archive);
   /// Writes the reference origins into the owned rows of x (rows,3).
   void put_origins(double* x) const;
 

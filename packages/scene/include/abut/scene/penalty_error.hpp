@@ -26,11 +26,16 @@ struct PenaltyError {
 class PenaltyWatch {
 public:
   void look(const State& state);
+  /// See StateNumbers.
+  template <class V> void list_state(V& v) {
+    v(last_, error_.whole, error_.contacts, error_.penetration_over_approach);
+  }
   const PenaltyError& error() const { return error_; } ///< of the last state
 
 private:
   struct Stored {
     double t = 0.0, energy = 0.0;
+    template <class V> friend void list_state(V& v, Stored& s) { v(s.t, s.energy); }
   };
   double stiffening() const;
 

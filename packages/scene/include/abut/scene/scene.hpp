@@ -41,4 +41,9 @@ struct Scene {
 Scene build_scene(const Options& options, std::shared_ptr<const mesh::Mesh> mesh,
                   PhaseTimers& timers, const Where& where);
 
+/// The state x of a scene between two steps, with all that its parts remember, goes to the archive
+/// or comes from there. For taking, the equations must have been evaluated where the run starts,
+/// and with dynamics motion has started; they are evaluated at x afterwards. Collective.
+void exchange_state(StateArchive& archive, Scene& scene, Vector& x);
+
 } // namespace abut::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/state_archive.hpp"
 #include "abut/core/time_integration.hpp"
 #include "abut/solid/motion_arrays.hpp"
 
@@ -28,6 +29,10 @@ public:
   /// state itself.
   void move(double t, const double* u);
   void accept(); ///< the trial state becomes history
+
+  /// The last accepted state and what the next one is made of. keys: of the nodes, three numbers
+  /// each.
+  void exchange_state(StateArchive& archive, const std::vector<Global>& keys);
 
   /// Of the trial state; the views follow it.
   View<const double> velocity() const { return trial_.velocity; }

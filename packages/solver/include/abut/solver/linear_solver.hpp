@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/core/log.hpp"
+#include "abut/core/state_archive.hpp"
 #include "abut/core/timers.hpp"
 #include "abut/core/trilinos_fwd.hpp"
 #include "abut/solver/options.hpp"
@@ -67,6 +68,8 @@ public:
   virtual void forget() {}
   /// A load step has been accepted.
   virtual void step_accepted() {}
+  /// What forget() leaves and the next solutions depend on.
+  virtual void exchange_state(StateArchive&) {}
 
   /// Sum of LinearResult::iterations so far, failed solves not counted.
   long long total_iterations() const { return use_.iterations; }

@@ -3,6 +3,7 @@
 
 #include "abut/core/log.hpp"
 #include "abut/solver/augmented.hpp"
+#include "abut/solver/standing.hpp"
 
 #include <functional>
 #include <string>
@@ -10,19 +11,9 @@
 
 namespace abut::solver {
 
-/// What a run has spent, failed attempts included.
-struct Counters {
-  long long steps = 0; ///< converged ones only
-  long long newton_iterations = 0;
-  long long augmentations = 0;
-  long long linear_iterations = 0; ///< predictors included
-  long long cut_backs = 0;
-  long long extrapolated_steps = 0; ///< converged ones whose start was no linear solve
-};
-
 /// A converged load step.
 struct StepReport {
-  int step = 0; ///< from 1
+  int step = 0; ///< from 1, over all parts of a run
   double t = 0.0, dt = 0.0;
   int iterations = 0, augmentations = 0; ///< of the attempt that converged
   int cuts = 0;                          ///< attempts that failed before it
@@ -34,6 +25,8 @@ struct StepReport {
 
 /// Called with x of a step that converged and was accepted, to write results.
 using StepCallback = std::function<void(const StepReport&, const Vector& x)>;
+/// Called after it, where the next step begins.
+using StandingCallback = std::function<void(const Standing&)>;
 
 struct LoadResult {
   bool converged = false;
@@ -42,19 +35,20 @@ struct LoadResult {
   Counters counters;
 };
 
-/// Raises the load parameter t from `start` to `end`. A failed step is rolled back, x bit for bit,
-/// and tried again from a linear prediction if that is not where it started, else at half its size;
-/// after steps that converge easily the size grows again by half, up to the nominal one. Not
-/// adaptive: the first failed step ends the run.
+/// Raises the load parameter t from where it stands to `end`. A failed step is rolled back, x bit
+/// for bit, and tried again from a linear prediction if that is not where it started, else at half
+/// its size; after steps that converge easily the size grows again by half, up to the nominal one.
+/// Not adaptive: the first failed step ends the run.
 class LoadStepping {
 public:
   /// `loop` must outlive this object. Throws InputError for steps that are not positive.
   LoadStepping(AugmentedLagrangian& loop, TimeOptions options, LogSink log = {});
 
-  /// Steps on from the equilibrium x at t = start (0, or where a checkpoint was written); x is the
-  /// last converged state afterwards. Collective.
+  /// Steps on from the equilibrium x where `from` stands; x is the last converged state afterwards.
+  /// Collective.
   LoadResult run(NonlinearSystem& system, Vector& x, const StepCallback& on_step = {},
-                 const IterationCallback& on_iteration = {}, double start = 0.0);
+                 const IterationCallback& on_iteration = {}, const Standing& from = {},
+                 const StandingCallback& on_standing = {});
 
 private:
   struct Attempt {
@@ -67,6 +61,7 @@ private:
   Attempt attempt(Course& course, double t, const IterationCallback& observer);
   void finish_step(Course& course, const Attempt& tried, double t, const StepCallback& on_step);
   bool cut(Course& course, double t, const std::string& reason);
+  double first_step(const Standing& from) const;
   double step_end(double t, double dt) const;
 
   AugmentedLagrangian& loop_;

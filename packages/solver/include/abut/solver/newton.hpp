@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/state_archive.hpp"
 #include "abut/core/trilinos_fwd.hpp"
 #include "abut/solver/options.hpp"
 
@@ -66,6 +67,10 @@ public:
   /// From here on corrections are measured against the increment from x, the state at the start of
   /// a step. Without it, against the increment from the start of each solve.
   void begin_step(const Vector& x);
+
+  /// How exactly linear systems are to be solved follows earlier solves, and so does what solves
+  /// them.
+  void exchange_state(StateArchive& archive);
 
   LinearSolver& linear() { return linear_; }
   const NewtonOptions& options() const { return options_; }

@@ -55,6 +55,10 @@ public:
   /// First of a link's two global block rows, on any rank. -1: none.
   Global row_of_link(int i) const { return row_of_link_[static_cast<std::size_t>(i)]; }
 
+  /// (owned block rows) numbers that name rows alike on any number of ranks: those of nodes in the
+  /// input, behind them bodies and links. Not collective.
+  std::vector<Global> row_keys() const;
+
   /// Map of the scalar unknowns: block row r holds r*fields .. r*fields + fields-1.
   RCP<const Map> map() const { return map_; }
 
