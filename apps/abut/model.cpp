@@ -6,6 +6,7 @@
 #include "abut/mesh/duplicates.hpp"
 #include "abut/meshgen/generate.hpp"
 #include "abut/scene/names.hpp"
+#include "abut/scene/surfaces.hpp"
 
 #include <array>
 #include <cmath>
@@ -86,15 +87,16 @@ void check_places(const deck::Deck& deck, const mesh::Mesh& mesh, const Where& w
 
 std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file) {
   deck::Deck deck = deck::read_deck(comm, deck_file);
+  const Where where = [&deck](const std::string& path) { return deck.where(path); };
   mesh::MeshData data;
   std::vector<std::string> duplicates; // on the root, which prints
   comm.on_root([&] {
     data = load_mesh(deck);
     duplicates = mesh::drop_duplicates(data);
+    scene::add_surfaces(deck, data, where);
   });
   const auto mesh = std::make_shared<const mesh::Mesh>(mesh::distribute(data, comm));
   data = {};
-  const Where where = [&deck](const std::string& path) { return deck.where(path); };
   scene::name_blocks(deck, *mesh);
   auto timers = std::make_unique<PhaseTimers>();
   scene::Scene scene = scene::build_scene(deck, mesh, *timers, where);
