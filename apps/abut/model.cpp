@@ -85,7 +85,8 @@ void check_places(const deck::Deck& deck, const mesh::Mesh& mesh, const Where& w
 
 } // namespace
 
-std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file) {
+std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file,
+                                   const std::function<void(const mesh::MeshData&)>& look) {
   deck::Deck deck = deck::read_deck(comm, deck_file);
   const Where where = [&deck](const std::string& path) { return deck.where(path); };
   mesh::MeshData data;
@@ -94,6 +95,8 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
     data = load_mesh(deck);
     duplicates = mesh::drop_duplicates(data);
     scene::add_surfaces(deck, data, where);
+    if (look)
+      look(data);
   });
   const auto mesh = std::make_shared<const mesh::Mesh>(mesh::distribute(data, comm));
   data = {};
