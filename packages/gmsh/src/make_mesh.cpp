@@ -168,6 +168,7 @@ private:
     for (const auto& [group, count] : left_out)
       say(first_at.at(group), path(group), Fate::ignored,
           std::to_string(count) + " elements that are in the block of another group already");
+    number_elements();
   }
 
   /// Blocks of one group with cells of several types, and groups of one name, need several names.
@@ -176,7 +177,6 @@ private:
     for (const auto& entry : block_of)
       ++uses[name(entry.first.first)];
     std::set<std::string> taken;
-    std::set<Global> element_ids;
     for (const auto& [key, b] : block_of) {
       mesh::BlockData& block = data_.blocks[b];
       block.id = static_cast<int>(b) + 1;
@@ -186,16 +186,22 @@ private:
       while (!taken.insert(block.name).second)
         block.name += "_" + std::to_string(key.first.tag);
     }
-    bool unique = true;
-    for (const mesh::BlockData& block : data_.blocks)
-      for (const Global id : block.element_id)
-        unique = element_ids.insert(id).second && unique;
+  }
+
+  /// Element numbers are Gmsh's unless two volumes have the same.
+  void number_elements() {
+    std::set<Global> numbers;
+    std::size_t count = 0;
+    for (const mesh::BlockData& block : data_.blocks) {
+      numbers.insert(block.element_id.begin(), block.element_id.end());
+      count += block.element_id.size();
+    }
+    if (numbers.size() == count)
+      return;
     for (mesh::BlockData& block : data_.blocks)
-      if (!unique)
-        block.element_id.clear();
-    if (!unique)
-      say(model_.elements_at, "element numbers", Fate::ignored,
-          "some come twice; elements are numbered anew");
+      block.element_id.clear();
+    say(model_.elements_at, "element numbers", Fate::ignored,
+        "some come twice; elements are numbered anew");
   }
 
   /// Leaves out nodes of no volume: centres of arcs, surfaces beside.

@@ -128,7 +128,7 @@ void read_element_2(Cursor& cursor, const ElementType& type, int tags, std::size
     if (k == 1)
       entity = tag;
     if (k == 2 && tag > 1)
-      cursor.fail("the mesh is cut into parts; save it whole", at_tags);
+      cursor.fail("the mesh is cut into parts; save it whole, without partitions", at_tags);
   }
   Elements& list = list_for(model, type.number, {type.dim, entity},
                             physical > 0 ? std::vector<int>{physical} : std::vector<int>());

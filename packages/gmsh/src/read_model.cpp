@@ -76,32 +76,18 @@ public:
 
 private:
   bool is_read(const std::string& name, std::size_t at) {
-    const bool is_old = version_ == 22;
-    const bool has_binary = name == "Nodes" || name == "Elements" || name == "Entities";
-    if (!has_binary && name != "MeshFormat" && name != "PhysicalNames")
+    const bool has_numbers = name == "Nodes" || name == "Elements" || name == "Entities";
+    if (!has_numbers && name != "MeshFormat" && name != "PhysicalNames")
       return false;
     if (!done_.insert(name).second)
       cursor_.fail("there is a second section of this name", at);
-    if (name == "Nodes")
-      model_.nodes_at = at;
-    if (name == "Elements")
-      model_.elements_at = at;
-    if (has_binary && model_.binary && !is_old) {
+    if (name == "Entities" && done_.count("Elements"))
+      cursor_.fail("expected before $Elements, whose groups it tells", at);
+    if (has_numbers && model_.binary && version_ != 22) {
       cursor_.skip_line();
       cursor_.set_binary(true);
     }
-    if (name == "MeshFormat")
-      version_ = read_format(cursor_, model_);
-    else if (name == "PhysicalNames")
-      read_names(cursor_, model_);
-    else if (name == "Entities")
-      physical_ = read_entities(cursor_);
-    else if (name == "Nodes")
-      is_old ? read_nodes_2(cursor_, model_) : read_nodes(cursor_, model_);
-    else if (is_old)
-      read_elements_2(cursor_, model_);
-    else
-      read_elements(cursor_, physical_, model_);
+    read(name, at);
     cursor_.set_binary(false);
     const std::size_t at_end = cursor_.at();
     const std::string end = cursor_.word();
@@ -110,13 +96,28 @@ private:
     return true;
   }
 
+  void read(const std::string& name, std::size_t at) {
+    const bool is_old = version_ == 22;
+    if (name == "MeshFormat") {
+      version_ = read_format(cursor_, model_);
+    } else if (name == "PhysicalNames") {
+      read_names(cursor_, model_);
+    } else if (name == "Entities") {
+      physical_ = read_entities(cursor_);
+    } else if (name == "Nodes") {
+      model_.nodes_at = at;
+      is_old ? read_nodes_2(cursor_, model_) : read_nodes(cursor_, model_);
+    } else {
+      model_.elements_at = at;
+      is_old ? read_elements_2(cursor_, model_) : read_elements(cursor_, physical_, model_);
+    }
+  }
+
   void skip(const std::string& name, std::size_t at) {
     if (name == "PartitionedEntities")
-      cursor_.fail("the mesh is cut into parts; save it whole (Mesh.PartitionSplitMeshFiles is "
-                   "not it: unpartition the mesh)",
-                   at);
+      cursor_.fail("the mesh is cut into parts; save it whole, without partitions", at);
     cursor_.skip_to("$End" + name);
-    report_.add({static_cast<int>(at), "$" + Cursor::plain(name), translation::Fate::ignored,
+    report_.add({static_cast<long long>(at), "$" + Cursor::plain(name), translation::Fate::ignored,
                  why_ignored(name)});
   }
 
