@@ -5,12 +5,15 @@
 #include "warnings.hpp"
 
 #include "abut/core/trilinos.hpp"
+#include "abut/mesh/info.hpp"
 #include "abut/scene/masses.hpp"
 #include "abut/scene/names.hpp"
 #include "abut/scene/supports.hpp"
+#include "abut/solid/resultant.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iostream>
 #include <map>
@@ -78,6 +81,21 @@ const char* name_of(solid::MaterialModel model) {
     return "Ogden";
   case MaterialModel::ogden_unconstrained:
     return "Ogden unconstrained";
+  }
+  return "";
+}
+
+const char* name_of(solid::LoadKind kind) {
+  using solid::LoadKind;
+  switch (kind) {
+  case LoadKind::traction:
+    return "traction";
+  case LoadKind::pressure:
+    return "pressure";
+  case LoadKind::body_force:
+    return "body force";
+  case LoadKind::force:
+    return "force at each node";
   }
   return "";
 }
@@ -172,6 +190,31 @@ void explain_supports(const Model& m, const Printer& print) {
       print("  FREE: body '{}' can move: {}", piece.body, motion);
 }
 
+/// Where a load acts, and its resultant at the end. Collective.
+void explain_loads(const Model& m, const Printer& print) {
+  if (!m.deck.loads.empty())
+    print("loads at t = {:g}, on the bodies as they are at the start:", m.deck.time.end);
+  for (const solid::LoadOptions& load : m.deck.loads) {
+    Vec3 force =
+        solid::resultant(*m.mesh, load, given_curve(m.deck.curves, load.curve), m.deck.time.end);
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(force[i]) < 1e-12 * norm(force))
+        force[i] = 0.0; // rounding
+    print("  {}: {} on '{}', resultant ({:.6g}, {:.6g}, {:.6g}){}", load.name, name_of(load.kind),
+          load.place, force[0], force[1], force[2],
+          load.curve.empty() ? "" : ", curve " + load.curve);
+  }
+}
+
+void explain_time(const Model& m, const Printer& print) {
+  const solver::TimeOptions& time = m.deck.time;
+  const double step = time.end / time.steps;
+  print("time: t from 0 to {:g} in {} steps of {:g}{}{}", time.end, time.steps, step,
+        time.adaptive ? fmt::format(", cut down to {:g} where they fail", step * time.min_fraction)
+                      : ", not cut where they fail",
+        m.deck.dynamics.active ? "; bodies have inertia" : "");
+}
+
 /// The choices of an interface; a second pass makes those of the first.
 void explain_choices(const Model& m, const contact::Settings& settings, const Printer& print) {
   for (const contact::ContactOptions& options : m.deck.contact) {
@@ -204,17 +247,22 @@ void explain_contact(const Model& m, const Printer& print) {
 
 void check(const std::string& deck_file) {
   const Comm comm(MPI_COMM_WORLD);
-  const auto m = build_model(comm, deck_file);
+  std::string mesh_text; // on the root, which prints
+  const auto m = build_model(comm, deck_file, [&](const mesh::MeshData& mesh) {
+    mesh_text = mesh::text(mesh::info(mesh));
+  });
   const Printer print(comm.is_root());
   print("{}", m->deck.title.empty() ? m->deck.file : m->deck.title);
-  print("mesh: {} nodes, {} elements; {} unknowns", m->mesh->num_nodes, m->mesh->num_elements,
+  print("{}unknowns: {}", mesh_text,
         m->equations->dofs().num_global_rows() * m->equations->dofs().fields());
   Vector x(m->equations->dofs().map()), f(m->equations->dofs().map());
   m->equations->residual(x, f);
   explain_bodies(*m, print);
   explain_joints(*m, print);
   explain_supports(*m, print);
+  explain_loads(*m, print);
   explain_contact(*m, print);
+  explain_time(*m, print);
   for (const auto& list : {m->warnings, warnings_of_start(*m)})
     for (const std::string& warning : list)
       print("WARNING: {}", warning);

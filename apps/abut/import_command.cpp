@@ -6,7 +6,9 @@
 #include "abut/core/error.hpp"
 #include "abut/deck/deck.hpp"
 #include "abut/febio/import.hpp"
+#include "abut/gmsh/import.hpp"
 #include "abut/io/exodus.hpp"
+#include "abut/io/file_kind.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -46,46 +48,79 @@ void create_folder(const std::string& dir) {
 }
 
 /// Prints the report of a file that cannot be imported, so that all of it can be mended at once.
-void require_all_supported(const febio::Report& report, const std::string& file) {
-  if (report.count(febio::Fate::refused) > 0)
+void require_all_supported(const translation::Report& report, const std::string& file) {
+  if (report.count(translation::Fate::refused) > 0)
     std::cout << report.text(file);
   report.require_nothing_refused(file);
 }
 
+struct Import {
+  mesh::MeshData mesh;
+  std::string deck;
+  translation::Report report;
+  bool is_start = false; ///< the deck is one to start from, which its user fills in
+};
+
+template <class Scene> Import checked(Scene scene, const std::string& file) {
+  require_all_supported(scene.report, file);
+  return {std::move(scene.mesh), std::move(scene.deck), std::move(scene.report)};
+}
+
+/// By what the file holds.
+Import translate(const std::string& file, const std::string& name) {
+  const std::string text = read_text(file);
+  translation::Report report;
+  if (gmsh::is_msh(text)) {
+    const gmsh::Model model = gmsh::read_model(text, file, report);
+    Import made = checked(gmsh::translate(model, name, std::move(report)), file);
+    made.is_start = true;
+    return made;
+  }
+  if (std::filesystem::path(file).extension() == ".msh")
+    throw InputError(file + ":1: expected a Gmsh file, which begins with $MeshFormat");
+  const febio::Model model = febio::read_model(text, file, report);
+  require_all_supported(report, file);
+  return checked(febio::translate(model, name, std::move(report)), file);
+}
+
 void import_file(const Arguments& arguments) {
-  const std::filesystem::path file(arguments.file), dir(arguments.output_dir);
-  const std::string name = file.stem().string();
-  febio::Report report;
-  const febio::Model model = febio::read_model(read_text(arguments.file), arguments.file, report);
-  require_all_supported(report, arguments.file);
-  const febio::Scene scene = febio::translate(model, name, std::move(report));
-  require_all_supported(scene.report, arguments.file);
+  const std::filesystem::path dir(arguments.output_dir);
+  const std::string name = std::filesystem::path(arguments.file).stem().string();
+  const Import made = translate(arguments.file, name);
   const std::string deck = (dir / (name + ".yaml")).string();
   try {
-    deck::parse_deck(scene.deck, deck);
+    deck::parse_deck(made.deck, deck);
   } catch (const InputError& e) {
     throw Defect(std::string("the imported deck is not valid: ") + e.what());
   }
   create_folder(arguments.output_dir);
   const std::string mesh = (dir / (name + ".exo")).string();
   protect_from_mesh(mesh);
-  protect_from_import(deck);
-  io::write_mesh(mesh, scene.mesh);
-  write_text(deck, scene.deck);
-  write_text(dir / (name + ".import.txt"), scene.report.text(arguments.file));
-  std::cout << deck << ": " << scene.mesh.num_nodes() << " nodes, " << scene.mesh.num_elements()
-            << " elements; " << scene.report.count(febio::Fate::used) << " constructs used, "
-            << scene.report.count(febio::Fate::ignored) << " ignored because harmless, see " << name
-            << ".import.txt\n";
+  const bool keep_deck = made.is_start && io::kind_of_file(deck) != io::FileKind::none;
+  if (!keep_deck)
+    protect_from_import(deck);
+  io::write_mesh(mesh, made.mesh);
+  if (!keep_deck)
+    write_text(deck, made.deck);
+  write_text(dir / (name + ".import.txt"), made.report.text(arguments.file));
+  std::cout << (keep_deck ? mesh : deck) << ": " << made.mesh.num_nodes() << " nodes, "
+            << made.mesh.num_elements() << " elements; "
+            << made.report.count(translation::Fate::used) << " constructs used, "
+            << made.report.count(translation::Fate::ignored) << " ignored because harmless, see "
+            << name << ".import.txt" << (keep_deck ? "; the deck " + deck + " stays as it is" : "")
+            << "\n";
 }
 
 } // namespace
 
 void add_import_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("import", "Turn a FEBio model into an Exodus mesh and a deck");
+  CLI::App* command = app.add_subcommand(
+      "import", "Turn a FEBio model or a Gmsh mesh into an Exodus mesh and a deck");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("FILE", arguments->file, "FEBio model, specification 4.0")->required();
+  command
+      ->add_option("FILE", arguments->file,
+                   "FEBio model, specification 4.0, or Gmsh mesh, MSH 2.2 or 4.1")
+      ->required();
   command->add_option("--output-dir", arguments->output_dir,
                       "folder for NAME.exo, NAME.yaml and NAME.import.txt");
   command->callback([arguments] { import_file(*arguments); });

@@ -5,6 +5,7 @@
 
 #include "abut/core/error.hpp"
 #include "abut/io/exodus.hpp"
+#include "abut/mesh/info.hpp"
 #include "abut/mesh/quality.hpp"
 #include "abut/meshgen/generate.hpp"
 
@@ -21,7 +22,7 @@ namespace abut::app {
 namespace {
 
 struct Arguments {
-  std::string kind, output;
+  std::string kind, output, info;
 };
 
 /// --key value and --key=value, in any number.
@@ -58,7 +59,10 @@ std::string describe_kinds() {
   return text;
 }
 
-void run(const Arguments& arguments, const std::vector<std::string>& words) {
+void write(const Arguments& arguments, const std::vector<std::string>& words) {
+  if (arguments.kind.empty() || arguments.output.empty())
+    throw InputError("abut mesh: expected KIND and -o FILE to write a mesh, or --info FILE to "
+                     "describe one; 'abut help mesh' lists the kinds");
   const mesh::MeshData data = meshgen::generate(arguments.kind, read_options(words));
   protect_from_mesh(arguments.output);
   io::write_mesh(arguments.output, data);
@@ -67,16 +71,27 @@ void run(const Arguments& arguments, const std::vector<std::string>& words) {
               mesh::min_scaled_jacobian(data));
 }
 
+void describe(const Arguments& arguments, const std::vector<std::string>& words) {
+  if (!arguments.kind.empty() || !arguments.output.empty() || !words.empty())
+    throw InputError("abut mesh: --info FILE goes with nothing else");
+  const std::string text = mesh::text(mesh::info(io::read_exodus(arguments.info)));
+  std::fputs(text.c_str(), stdout);
+}
+
 } // namespace
 
 void add_mesh_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("mesh", "Write a simple mesh as an Exodus file");
+  CLI::App* command =
+      app.add_subcommand("mesh", "Write a simple mesh as an Exodus file, or describe one");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("KIND", arguments->kind, "box, blocks, quarter_cylinder, ...")->required();
-  command->add_option("-o,--output", arguments->output, "file to write, e.g. box.exo")->required();
+  command->add_option("KIND", arguments->kind, "box, blocks, quarter_cylinder, ...");
+  command->add_option("-o,--output", arguments->output, "file to write, e.g. box.exo");
+  command->add_option("--info", arguments->info, "Exodus file to describe");
   command->allow_extras();
   command->footer([] { return describe_kinds(); });
-  command->callback([command, arguments] { run(*arguments, command->remaining()); });
+  command->callback([command, arguments] {
+    (arguments->info.empty() ? write : describe)(*arguments, command->remaining());
+  });
 }
 
 } // namespace abut::app

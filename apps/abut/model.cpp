@@ -7,6 +7,7 @@
 #include "abut/mesh/fingerprint.hpp"
 #include "abut/meshgen/generate.hpp"
 #include "abut/scene/names.hpp"
+#include "abut/scene/surfaces.hpp"
 
 #include <array>
 #include <cmath>
@@ -85,8 +86,10 @@ void check_places(const deck::Deck& deck, const mesh::Mesh& mesh, const Where& w
 
 } // namespace
 
-std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file) {
+std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file,
+                                   const std::function<void(const mesh::MeshData&)>& look) {
   deck::Deck deck = deck::read_deck(comm, deck_file);
+  const Where where = [&deck](const std::string& path) { return deck.where(path); };
   mesh::MeshData data;
   std::vector<std::string> duplicates; // on the root, which prints
   std::uint64_t fingerprint = 0;
@@ -94,10 +97,12 @@ std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_fil
     data = load_mesh(deck);
     duplicates = mesh::drop_duplicates(data);
     fingerprint = mesh::fingerprint(data);
+    scene::add_surfaces(deck, data, where);
+    if (look)
+      look(data);
   });
   const auto mesh = std::make_shared<const mesh::Mesh>(mesh::distribute(data, comm));
   data = {};
-  const Where where = [&deck](const std::string& path) { return deck.where(path); };
   scene::name_blocks(deck, *mesh);
   auto timers = std::make_unique<PhaseTimers>();
   scene::Scene scene = scene::build_scene(deck, mesh, *timers, where);

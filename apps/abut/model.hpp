@@ -7,6 +7,7 @@
 #include "abut/scene/scene.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,7 +22,9 @@ struct Model : scene::Scene {
 };
 
 /// Reads the deck and its mesh and builds everything. Throws InputError, naming file, line and key,
-/// for what does not fit together. Collective.
-std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file);
+/// for what does not fit together. `look` sees the whole mesh, with the deck's surfaces, on the
+/// root. Collective.
+std::unique_ptr<Model> build_model(const Comm& comm, const std::string& deck_file,
+                                   const std::function<void(const mesh::MeshData&)>& look = {});
 
 } // namespace abut::app

@@ -25,7 +25,9 @@ ALLOWED = {
     "solver": {"core", "mesh", "multigrid", "assembly"},
     "scene": {"core", "fem", "mesh", "io", "contact", "solid", "unknowns", "rigid", "assembly",
               "solver"},
-    "febio": {"core", "fem", "mesh"},
+    "translation": {"core"},
+    "febio": {"core", "fem", "mesh", "translation"},
+    "gmsh": {"core", "fem", "mesh", "translation"},
     "deck": {"core"},  # and everybody's options.hpp
 }
 CPP_SUFFIXES = {".hpp", ".cpp"}

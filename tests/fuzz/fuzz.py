@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Import and check of files that are wrong in all ways: none may crash, hang or end in a defect.
-usage: fuzz.py --kind feb|deck --count N --harness abut_fuzz_import [--seed S] [--keep FOLDER]
+usage: fuzz.py --kind feb|msh|deck --count N --harness abut_fuzz_import [--seed S] [--keep FOLDER]
 
 Mutants are made from the files of tests/fuzz/corpus, and decks from those of input/ too; the same seed
 makes the same mutants. Each is a file with one to four changes, of its tree (elements, attributes, keys,
@@ -102,6 +102,14 @@ def flipped_bit(data, rng):
 
 def other_number(data, rng):
     return number_in(data.decode("latin-1"), rng).encode()
+
+
+def swapped_words(data, rng):
+    words = [m.span() for m in re.finditer(rb"\S+", data)]
+    if len(words) < 2:
+        return data
+    (a, b), (c, d) = sorted(rng.sample(words, 2))
+    return data[:a] + data[c:d] + data[b:c] + data[a:b] + data[d:]
 
 
 def deep(data, rng):
@@ -237,12 +245,13 @@ def from_yaml(data, rng):
 
 def mutant(seed_file, rng):
     data = seed_file.read_bytes()
-    if rng.random() < 0.7:
+    if seed_file.suffix != ".msh" and rng.random() < 0.7:
         data = (from_yaml if seed_file.suffix == ".yaml" else from_xml)(data, rng)
         if rng.random() < 0.8:
             return data
+    kinds = TEXT + [swapped_words] * len(TEXT) if seed_file.suffix == ".msh" else TEXT
     for _ in range(rng.choice([1, 1, 2])):
-        data = rng.choice(TEXT)(data, rng)
+        data = rng.choice(kinds)(data, rng)
     return data
 
 
@@ -315,7 +324,7 @@ class Harness:
 
 
 def seeds(kind, folder, harness, seconds):
-    corpus = sorted((HERE / "corpus").glob("*.feb" if kind == "feb" else "*.yaml"))
+    corpus = sorted((HERE / "corpus").glob("*.yaml" if kind == "deck" else f"*.{kind}"))
     if kind == "deck":
         corpus += sorted((HERE / "corpus").glob("*.xml")) + sorted(INPUT.glob("*/*.yaml"))
     run = Harness(harness, folder, seconds)
@@ -327,7 +336,7 @@ def seeds(kind, folder, harness, seconds):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("--kind", choices=("feb", "deck"), required=True)
+    arguments.add_argument("--kind", choices=("feb", "msh", "deck"), required=True)
     arguments.add_argument("--count", type=int, default=150)
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--harness", required=True)

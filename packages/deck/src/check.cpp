@@ -21,6 +21,8 @@ public:
   void run() const {
     lengths();
     bodies();
+    for (const auto& surface : deck_.surfaces)
+      this->surface("surfaces." + surface.name, surface);
     for (const auto& joint : deck_.joints)
       this->joint("joints." + joint.name, joint);
     for (const auto& d : deck_.displacements)
@@ -64,6 +66,7 @@ private:
     check("bodies.", deck_.bodies);
     check("joints.", deck_.joints);
     check("contact.", deck_.contact);
+    check("surfaces.", deck_.surfaces);
   }
 
   void curve(const std::string& path, const std::string& word, const char* key = ".curve") const {
@@ -135,6 +138,26 @@ private:
           (body.initial_angular_velocity[i] != 0.0 && !motion.free[3 + i]))
         fail(path + key, std::string("component ") + "xyz"[i] +
                              " is prescribed, and starts with the slope of its curve");
+  }
+
+  void surface(const std::string& path, const scene::SurfaceOptions& surface) const {
+    constexpr std::array<double, 3> none{};
+    const auto direction = [&](const char* key, const std::array<double, 3>& v) {
+      if (v == none)
+        fail(path + key, "expected a direction, got zero");
+    };
+    if (!surface.body.empty())
+      name(path + ".body", surface.body, deck_.bodies, "bodies");
+    const mesh::FaceSelection& s = surface.selection;
+    if (s.plane)
+      direction(".plane.normal", s.plane->normal);
+    if (s.cylinder)
+      direction(".cylinder.axis", s.cylinder->axis);
+    if (s.normal)
+      direction(".normal.direction", s.normal->direction);
+    for (std::size_t i = 0; s.box && i < 3; ++i)
+      if (s.box->low[i] > s.box->high[i])
+        fail(path + ".box.high", std::string("its ") + "xyz"[i] + " is less than that of 'low'");
   }
 
   void rigid(const std::string& path, const rigid::MotionOptions& motion) const {

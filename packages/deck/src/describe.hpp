@@ -10,6 +10,7 @@
 #include "describe/results.hpp"
 #include "describe/solution.hpp"
 #include "describe/supports.hpp"
+#include "describe/surfaces.hpp"
 
 /// The deck, declared once, a header for each kind of section. Filler reads by it, Documenter
 /// explains by it, Writer prints by it. Defaults are the initial values of the option structs.
@@ -29,6 +30,9 @@ template <class V> void describe(V& v, Deck& o) {
   };
   v.optional("title", o.title, "free text");
   v.required_group("mesh", "where the mesh comes from", [&](auto& w) { describe(w, o.mesh); });
+  v.named_map("surfaces", o.surfaces,
+              "surfaces that the mesh has no side set of; each is a side set and a node set to the "
+              "rest of the deck");
   v.named_map("materials", o.materials, "materials by name");
   v.named_map("bodies", o.bodies, "what the blocks of the mesh are made of, and rigid bodies",
               true);

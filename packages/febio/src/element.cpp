@@ -2,6 +2,7 @@
 #include "element.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/translation/utf8.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,34 +20,6 @@ std::string trimmed(const std::string& s) {
   if (first == std::string::npos)
     return "";
   return s.substr(first, s.find_last_not_of(white) - first + 1);
-}
-
-/// Whether the bytes are valid UTF-8, as far as sequences have their lengths.
-bool is_utf8(const std::string& s) {
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const unsigned char c = static_cast<unsigned char>(s[i]);
-    const int more = c < 0x80 ? 0 : c >= 0xf0 ? 3 : c >= 0xe0 ? 2 : c >= 0xc2 ? 1 : -1;
-    if (more < 0 || i + std::size_t(more) >= s.size() + (more == 0))
-      return false;
-    for (int k = 0; k < more; ++k)
-      if ((static_cast<unsigned char>(s[++i]) & 0xc0) != 0x80)
-        return false;
-  }
-  return true;
-}
-
-std::string from_latin1(const std::string& s) {
-  std::string out;
-  for (const char byte : s) {
-    const unsigned char c = static_cast<unsigned char>(byte);
-    if (c < 0x80) {
-      out += byte;
-    } else {
-      out += static_cast<char>(0xc0 | (c >> 6));
-      out += static_cast<char>(0x80 | (c & 0x3f));
-    }
-  }
-  return out;
 }
 
 /// Numbers so large or small are taken for mistakes: their products would not be finite.
@@ -86,7 +59,7 @@ std::vector<std::string> split(const std::string& s) {
 } // namespace
 
 Document::Document(const std::string& text, std::string file) : file_(std::move(file)) {
-  const std::string utf8 = is_utf8(text) ? text : from_latin1(text);
+  const std::string utf8 = translation::utf8(text);
   line_starts_.push_back(0);
   for (std::size_t i = 0; i < utf8.size(); ++i)
     if (utf8[i] == '\n')

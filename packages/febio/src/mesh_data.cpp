@@ -2,12 +2,10 @@
 #include "mesh_data.hpp"
 
 #include "abut/core/error.hpp"
-#include "abut/fem/cell_shape.hpp"
-#include "abut/fem/face_shape.hpp"
-#include "abut/fem/quadrature.hpp"
+#include "abut/fem/measure.hpp"
+#include "abut/mesh/sides.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -22,89 +20,10 @@ std::vector<Global> sorted(std::vector<Global> ids) {
   return ids;
 }
 
-using Corners = std::array<Global, 4>; ///< ascending; the first is -1 for a triangle
-
-Corners key_of(const Global* nodes, std::size_t count) {
-  Corners key = {-1, -1, -1, -1};
-  std::copy(nodes, nodes + count, key.begin());
-  std::sort(key.begin(), key.end());
-  return key;
-}
-
 /// Whether b runs through the same corners in the same direction as a.
 bool same_direction(const Global* a, const Global* b, std::size_t count) {
   const std::size_t start = static_cast<std::size_t>(std::find(b, b + count, a[0]) - b);
   return b[(start + 1) % count] == a[1];
-}
-
-/// A side of an element with its corners in outward order.
-struct ElementSide {
-  mesh::SideData side;
-  std::array<Global, 4> corners{};
-};
-
-std::multimap<Corners, ElementSide> sides_of(const std::vector<Domain>& domains) {
-  std::multimap<Corners, ElementSide> sides;
-  for (std::size_t d = 0; d < domains.size(); ++d) {
-    const fem::CellInfo& cell = fem::info(domains[d].cell);
-    for (std::size_t e = 0; e < domains[d].id.size(); ++e)
-      for (int s = 0; s < cell.sides; ++s) {
-        const fem::CellSide& face = fem::side(domains[d].cell, s);
-        const std::size_t corners = static_cast<std::size_t>(fem::face_corners(face.type));
-        ElementSide entry{{static_cast<int>(d), static_cast<Global>(e), s}, {}};
-        for (std::size_t a = 0; a < corners; ++a)
-          entry.corners[a] = domains[d].nodes[e * static_cast<std::size_t>(cell.nodes) +
-                                              static_cast<std::size_t>(face.nodes[a])];
-        sides.emplace(key_of(entry.corners.data(), corners), entry);
-      }
-  }
-  return sides;
-}
-
-struct CellMeasure {
-  double volume = 0.0, least = 0.0; ///< least: smallest determinant at the integration points
-  Vec3 moment = Vec3::zero();       ///< of the volume
-};
-
-template <class Shape> CellMeasure measure_cell(const Vec3* x) {
-  constexpr int n = Shape::nodes;
-  const fem::Rule<3> rule = fem::cell_rule(Shape::type, fem::default_points(Shape::type));
-  CellMeasure m;
-  for (int p = 0; p < rule.size(); ++p) {
-    double N[n], dN[n][3];
-    const auto& xi = rule.xi[static_cast<std::size_t>(p)];
-    Shape::values(xi.data(), N);
-    Shape::derivatives(xi.data(), dN);
-    Mat3 jacobian = Mat3::zero();
-    Vec3 at = Vec3::zero();
-    for (int a = 0; a < n; ++a) {
-      at += N[a] * x[a];
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-          jacobian[i][k] += x[a][i] * dN[a][k];
-    }
-    const double d = det(jacobian);
-    m.least = p == 0 ? d : std::min(m.least, d);
-    m.volume += rule.weight[static_cast<std::size_t>(p)] * d;
-    m.moment += rule.weight[static_cast<std::size_t>(p)] * d * at;
-  }
-  return m;
-}
-
-template <class Shape> double measure_face(const Vec3* x) {
-  const fem::Rule<2> rule = fem::face_rule(Shape::type, fem::default_points(Shape::type));
-  double area = 0.0;
-  for (int p = 0; p < rule.size(); ++p) {
-    double dN[Shape::nodes][2];
-    Shape::derivatives(rule.xi[static_cast<std::size_t>(p)].data(), dN);
-    Vec3 t1 = Vec3::zero(), t2 = Vec3::zero();
-    for (int a = 0; a < Shape::nodes; ++a) {
-      t1 += dN[a][0] * x[a];
-      t2 += dN[a][1] * x[a];
-    }
-    area += rule.weight[static_cast<std::size_t>(p)] * norm(cross(t1, t2));
-  }
-  return area;
 }
 
 } // namespace
@@ -164,8 +83,7 @@ void MeshTranslation::measure() {
       Vec3 x[fem::max_cell_nodes];
       for (std::size_t a = 0; a < n; ++a)
         x[a] = position(d.nodes[e * n + a]);
-      const CellMeasure m =
-          fem::dispatch_cell(d.cell, [&](auto shape) { return measure_cell<decltype(shape)>(x); });
+      const fem::CellMeasure m = fem::measure_cell(d.cell, x);
       if (!(m.least > 0.0)) {
         std::ostringstream text;
         text << model_.where(d.lines[e]) << ": <elem>: element " << d.id[e]
@@ -203,20 +121,25 @@ void MeshTranslation::add_node_sets(Report& report) {
 }
 
 void MeshTranslation::add_side_sets() {
-  const auto sides = sides_of(model_.mesh.domains);
+  const mesh::SideIndex sides(data_);
   for (const Surface& surface : model_.mesh.surfaces) {
     std::vector<mesh::SideData>& list = data_.side_sets[surface.name];
     std::size_t outward = 0;
     for (const Facet& facet : surface.facets) {
-      const auto [first, last] = sides.equal_range(key_of(facet.nodes.data(), facet.corners));
-      if (first == last)
+      std::vector<Global> corners;
+      for (std::size_t a = 0; a < facet.corners; ++a) {
+        const auto node = index_.find(facet.nodes[a]);
+        corners.push_back(node == index_.end() ? -1 : node->second); // -1: of no element
+      }
+      const auto found = sides.find(corners.data(), static_cast<int>(corners.size()));
+      if (found.empty())
         throw InputError(model_.where(facet.line) + ": face of surface '" + surface.name +
                          "' is no side of an element");
-      const auto same = std::find_if(first, last, [&](const auto& entry) {
-        return same_direction(facet.nodes.data(), entry.second.corners.data(), facet.corners);
+      const auto same = std::find_if(found.begin(), found.end(), [&](const mesh::SideData& side) {
+        return same_direction(corners.data(), mesh::side_nodes(data_, side).data(), corners.size());
       });
-      outward += same != last;
-      list.push_back((same == last ? first : same)->second.side);
+      outward += same != found.end();
+      list.push_back(same == found.end() ? found[0] : *same);
     }
     if (outward != 0 && outward != surface.facets.size())
       throw InputError(model_.where(surface.line) + ": surface '" + surface.name +
@@ -308,9 +231,7 @@ double MeshTranslation::inverse_depth(const mesh::SideData& side) const {
   Vec3 x[fem::max_face_nodes];
   for (int a = 0; a < fem::face_nodes(face.type); ++a)
     x[a] = position(d.nodes[first + static_cast<std::size_t>(face.nodes[a])]);
-  const double area =
-      fem::dispatch_face(face.type, [&](auto shape) { return measure_face<decltype(shape)>(x); });
-  return area / bulk_[domain].volumes[element];
+  return fem::face_area(face.type, x) / bulk_[domain].volumes[element];
 }
 
 } // namespace abut::febio

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/mesh/quality.hpp"
 
-#include "abut/core/tensor.hpp"
 #include "abut/fem/cell_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abut::mesh {
 
@@ -36,31 +36,38 @@ Corners corners_of(fem::CellType type) {
 
 } // namespace
 
+double scaled_jacobian(fem::CellType type, const Vec3* x) {
+  const Corners corners = corners_of(type);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < fem::info(type).corners; ++a) {
+    Vec3 tangent[3];
+    for (int i = 0; i < 3; ++i) {
+      const int b = corners.neighbours[a][i], m = fem::edge_node(type, a, b);
+      tangent[i] = x[b] - x[a];
+      // End tangent of the parabola through corner, middle node and far corner.
+      if (m >= 0)
+        tangent[i] = 4.0 * x[m] - 3.0 * x[a] - x[b];
+      const double length = norm(tangent[i]);
+      if (length > 0.0)
+        tangent[i] *= 1.0 / length;
+    }
+    smallest = std::min(smallest, dot(cross(tangent[0], tangent[1]), tangent[2]) / corners.regular);
+  }
+  return smallest;
+}
+
 double min_scaled_jacobian(const MeshData& mesh) {
   double smallest = 1.0;
-  const auto point = [&](Global n) -> Vec3 {
-    return {{mesh.x[3 * n], mesh.x[3 * n + 1], mesh.x[3 * n + 2]}};
-  };
   for (const BlockData& block : mesh.blocks) {
-    const fem::CellInfo& cell = fem::info(block.type);
-    const Corners corners = corners_of(block.type);
-    for (std::size_t first = 0; first < block.nodes.size(); first += cell.nodes)
-      for (int a = 0; a < cell.corners; ++a) {
-        const Global* nodes = &block.nodes[first];
-        Vec3 tangent[3];
-        for (int i = 0; i < 3; ++i) {
-          const int b = corners.neighbours[a][i], m = fem::edge_node(block.type, a, b);
-          tangent[i] = point(nodes[b]) - point(nodes[a]);
-          // End tangent of the parabola through corner, middle node and far corner.
-          if (m >= 0)
-            tangent[i] = 4.0 * point(nodes[m]) - 3.0 * point(nodes[a]) - point(nodes[b]);
-          const double length = norm(tangent[i]);
-          if (length > 0.0)
-            tangent[i] *= 1.0 / length;
-        }
-        smallest =
-            std::min(smallest, dot(cross(tangent[0], tangent[1]), tangent[2]) / corners.regular);
+    const auto n = static_cast<std::size_t>(fem::info(block.type).nodes);
+    for (std::size_t first = 0; first < block.nodes.size(); first += n) {
+      Vec3 x[fem::max_cell_nodes];
+      for (std::size_t a = 0; a < n; ++a) {
+        const double* at = &mesh.x[3 * static_cast<std::size_t>(block.nodes[first + a])];
+        x[a] = {{at[0], at[1], at[2]}};
       }
+      smallest = std::min(smallest, scaled_jacobian(block.type, x));
+    }
   }
   return smallest;
 }

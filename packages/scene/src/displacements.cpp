@@ -32,12 +32,23 @@ bool agree(const DisplacementOptions& d, const DisplacementOptions& other, std::
   return same_start && a == b && (a == Amount() || d.curve == other.curve);
 }
 
+/// (displacements) nodes of each. Collective: to be called before anything may be thrown on one
+/// rank.
+std::vector<std::vector<Local>> prescribed_nodes(const Options& options, const mesh::Mesh& mesh) {
+  std::vector<std::vector<Local>> nodes;
+  for (const auto& d : options.displacements)
+    nodes.push_back(nodes_of_set(mesh, d.set));
+  return nodes;
+}
+
 } // namespace
 
 void check_conflicts(const Options& options, const mesh::Mesh& mesh, const Where& where) {
   std::map<std::pair<Local, int>, std::vector<const DisplacementOptions*>> given;
+  const auto nodes = prescribed_nodes(options, mesh);
+  auto nodes_of = nodes.begin();
   for (const auto& d : options.displacements)
-    for (Local n : nodes_of_set(mesh, d.set))
+    for (Local n : *nodes_of++)
       for (int i = 0; i < 3; ++i) {
         if (!d.components[std::size_t(i)])
           continue;
@@ -57,8 +68,10 @@ void check_rigid_nodes(const Options& options, const mesh::Mesh& mesh,
   for (const BodyOptions& body : options.bodies)
     if (body.rigid)
       rigid.push_back(body.name);
+  const auto nodes = prescribed_nodes(options, mesh);
+  auto nodes_of = nodes.begin();
   for (const auto& d : options.displacements)
-    for (Local n : nodes_of_set(mesh, d.set))
+    for (Local n : *nodes_of++)
       if (body_of_node[n] >= 0)
         throw InputError(where("displacements." + d.name) + ": node " +
                          std::to_string(mesh.node_id[n]) + " moves with rigid body '" +

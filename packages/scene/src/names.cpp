@@ -2,7 +2,6 @@
 #include "abut/scene/names.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace abut::scene {
 
@@ -21,15 +20,23 @@ std::vector<Local> nodes_of_set(const mesh::Mesh& mesh, const std::string& name)
   const auto set = mesh.node_sets.find(name);
   if (set != mesh.node_sets.end())
     return set->second;
-  std::set<Local> nodes;
+  std::vector<char> in_set(mesh.node.size(), 0);
   for (const mesh::Side& s : mesh.side_sets.at(name)) {
     const mesh::Block& block = mesh.blocks[std::size_t(s.block)];
     const fem::CellSide& face = fem::side(block.type, s.side);
     for (int a = 0; a < fem::face_nodes(face.type); ++a)
-      nodes.insert(block.nodes[std::size_t(s.element) * fem::info(block.type).nodes +
-                               std::size_t(face.nodes[a])]);
+      in_set[std::size_t(block.nodes[std::size_t(s.element) * fem::info(block.type).nodes +
+                                     std::size_t(face.nodes[a])])] = 1;
   }
-  return {nodes.begin(), nodes.end()};
+  // A rank may own a node at the edge of the set without a face of it.
+  const NodeExchange ghosts = mesh::node_exchange(mesh);
+  ghosts.max_to_owners(in_set.data());
+  ghosts.to_ghosts(in_set.data());
+  std::vector<Local> nodes;
+  for (Local n = 0; n < mesh.num_local(); ++n)
+    if (in_set[std::size_t(n)])
+      nodes.push_back(n);
+  return nodes;
 }
 
 std::vector<std::string> set_names(const mesh::Mesh& mesh) {

@@ -65,10 +65,11 @@ TEST_P(DeckErrors, NameFileLineKeyAndWhatWasExpected) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, DeckErrors,
     testing::Values(
-        Case{6, "contct:",
-             "d.yaml:6: contct: unknown key; valid: title, mesh, materials, bodies, joints, "
-             "displacements, loads, curves, contact, time, dynamics, newton, linear_solver, "
-             "output, trilinos, check, verify; did you mean 'contact'?"},
+        Case{
+            6, "contct:",
+            "d.yaml:6: contct: unknown key; valid: title, mesh, surfaces, materials, bodies, "
+            "joints, displacements, loads, curves, contact, time, dynamics, newton, linear_solver, "
+            "output, trilinos, check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
@@ -112,6 +113,23 @@ INSTANTIATE_TEST_SUITE_P(
         Case{12, "verify: {v: {quantity: newton_iterations, expected: 3}}",
              "d.yaml:12: verify.v: expected at least one of the keys tolerance, "
              "relative_tolerance"},
+        Case{12, "surfaces: {s: {}}",
+             "d.yaml:12: surfaces.s: expected at least one of the keys blocks, body, part_of, "
+             "node_set, plane, cylinder, sphere, box, normal, join, subtract"},
+        Case{12, "surfaces: {s: {plan: {point: [0, 0, 0], normal: [0, 0, 1]}}}",
+             "d.yaml:12: surfaces.s.plan: unknown key; valid: blocks, body, part_of, node_set, "
+             "plane, cylinder, sphere, box, normal, within, join, subtract; did you mean 'plane'?"},
+        Case{12, "surfaces: {s: {plane: {point: [0, 0, 0]}}}",
+             "d.yaml:12: surfaces.s.plane: missing key 'normal' (its length does not matter)"},
+        Case{12, "surfaces: {s: {body: bal}}",
+             "d.yaml:12: surfaces.s.body: 'bal' is not a name under bodies; valid: ball; did you "
+             "mean 'ball'?"},
+        Case{12, "surfaces: {s: {normal: {direction: [0, 0, 0]}}}",
+             "d.yaml:12: surfaces.s.normal.direction: expected a direction, got zero"},
+        Case{12, "surfaces: {s: {normal: {direction: [0, 0, 1], angle: 200}}}",
+             "d.yaml:12: surfaces.s.normal.angle: expected a number >= 0 and <= 180, got '200'"},
+        Case{12, "surfaces: {s: {box: {low: [0, 1, 0], high: [1, 0, 1]}}}",
+             "d.yaml:12: surfaces.s.box.high: its y is less than that of 'low'"},
         Case{5, "  ball: {blocks: [1]}",
              "d.yaml:5: bodies.ball: expected one of the keys material, rigid"}));
 

@@ -30,6 +30,14 @@ TEST(Deck, FillsEverySection) {
   ASSERT_EQ(d.displacements.size(), 1u);
   EXPECT_THAT(d.displacements[0].components, testing::ElementsAre(true, true, true));
   EXPECT_THAT(d.displacements[0].values, testing::ElementsAre(0.0, 0.0, -0.5));
+  ASSERT_EQ(d.surfaces.size(), 3u);
+  EXPECT_EQ(d.surfaces[0].body, "ball");
+  EXPECT_EQ(d.surfaces[0].selection.plane->normal[2], 2.0);
+  EXPECT_EQ(d.surfaces[0].selection.normal->angle, 10.0);
+  EXPECT_FALSE(d.surfaces[0].selection.box.has_value());
+  EXPECT_EQ(d.surfaces[1].selection.cylinder->radius, 2.0);
+  EXPECT_EQ(d.surfaces[1].selection.within, 0.01);
+  EXPECT_EQ(d.surfaces[2].subtract, std::vector<std::string>{"lid"});
   ASSERT_EQ(d.loads.size(), 4u);
   EXPECT_EQ(d.loads[0].kind, solid::LoadKind::traction);
   EXPECT_EQ(d.loads[0].place, "skin");
@@ -135,7 +143,7 @@ TEST(Deck, XmlGivesTheSameDeckAsYaml) {
   EXPECT_EQ(yaml.linear.muelu, xml.linear.muelu);
   ASSERT_EQ(yaml.locations.size(), xml.locations.size());
   EXPECT_EQ(xml.where("contact.ball_on_floor.secondary"),
-            "ball.xml:60: contact.ball_on_floor.secondary");
+            "ball.xml:96: contact.ball_on_floor.secondary");
 }
 
 TEST(Deck, WrittenDeckReadsBackTheSame) {
@@ -250,8 +258,8 @@ dynamics: {beta: 0.3, gamma: 0.6}
 TEST(Deck, WhereFallsBackToTheEnclosingKey) {
   const Deck d = parse_deck(yaml_scene, "ball.yaml");
   EXPECT_EQ(d.where("contact.ball_on_floor.primary"),
-            "ball.yaml:22: contact.ball_on_floor.primary");
-  EXPECT_EQ(d.where("contact.ball_on_floor.reach"), "ball.yaml:21: contact.ball_on_floor.reach");
+            "ball.yaml:27: contact.ball_on_floor.primary");
+  EXPECT_EQ(d.where("contact.ball_on_floor.reach"), "ball.yaml:26: contact.ball_on_floor.reach");
   EXPECT_EQ(d.where("nothing.here"), "ball.yaml: nothing.here");
 }
 

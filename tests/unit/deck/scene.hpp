@@ -7,6 +7,11 @@
 inline const std::string yaml_scene = R"(title: ball on floor
 mesh:
   file: ball.exo
+surfaces:
+  lid: {body: ball, plane: {point: [0, 0, 1], normal: [0, 0, 2]}, normal: {direction: [0, 0, 1], angle: 10}}
+  rim: {blocks: [ball, 3], node_set: rim, within: 0.01, cylinder: {point: [0, 0, 0], axis: [0, 0, 1], radius: 2}}
+  rest: {part_of: skin, join: [rim], subtract: [lid], sphere: {center: [0, 0, 0], radius: 1},
+         box: {low: [-1, -1, -1], high: [1, 1, 1]}}
 materials:
   rubber: {model: neo_hookean, young: 10, poisson: 0.3}
 bodies:
@@ -49,6 +54,42 @@ inline const std::string xml_scene = R"xml(<?xml version="1.0"?>
 <ParameterList name="deck">
   <Parameter name="title" type="string" value="ball on floor"/>
   <ParameterList name="mesh"><Parameter name="file" type="string" value="ball.exo"/></ParameterList>
+  <ParameterList name="surfaces">
+    <ParameterList name="lid">
+      <Parameter name="body" type="string" value="ball"/>
+      <ParameterList name="plane">
+        <Parameter name="point" type="Array(double)" value="{0, 0, 1}"/>
+        <Parameter name="normal" type="Array(double)" value="{0, 0, 2}"/>
+      </ParameterList>
+      <ParameterList name="normal">
+        <Parameter name="direction" type="Array(double)" value="{0, 0, 1}"/>
+        <Parameter name="angle" type="double" value="10"/>
+      </ParameterList>
+    </ParameterList>
+    <ParameterList name="rim">
+      <Parameter name="blocks" type="Array(string)" value="{ball, 3}"/>
+      <Parameter name="node_set" type="string" value="rim"/>
+      <Parameter name="within" type="double" value="0.01"/>
+      <ParameterList name="cylinder">
+        <Parameter name="point" type="Array(double)" value="{0, 0, 0}"/>
+        <Parameter name="axis" type="Array(double)" value="{0, 0, 1}"/>
+        <Parameter name="radius" type="double" value="2"/>
+      </ParameterList>
+    </ParameterList>
+    <ParameterList name="rest">
+      <Parameter name="part_of" type="string" value="skin"/>
+      <Parameter name="join" type="Array(string)" value="{rim}"/>
+      <Parameter name="subtract" type="Array(string)" value="{lid}"/>
+      <ParameterList name="sphere">
+        <Parameter name="center" type="Array(double)" value="{0, 0, 0}"/>
+        <Parameter name="radius" type="double" value="1"/>
+      </ParameterList>
+      <ParameterList name="box">
+        <Parameter name="low" type="Array(double)" value="{-1, -1, -1}"/>
+        <Parameter name="high" type="Array(double)" value="{1, 1, 1}"/>
+      </ParameterList>
+    </ParameterList>
+  </ParameterList>
   <ParameterList name="materials">
     <ParameterList name="rubber">
       <Parameter name="model" type="string" value="neo_hookean"/>

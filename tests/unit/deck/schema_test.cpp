@@ -46,8 +46,8 @@ const Field& find(const Field& map, const std::string& key) {
 
 TEST(Schema, ListsEveryKeyThatADeckMayUse) {
   const std::set<std::string> paths = documented();
-  const std::set<std::string> sections{"materials", "bodies",  "displacements", "loads",
-                                       "curves",    "contact", "verify"};
+  const std::set<std::string> sections{"surfaces", "materials", "bodies",  "displacements",
+                                       "loads",    "curves",    "contact", "verify"};
   const Deck deck = parse_deck(yaml_scene, "ball.yaml");
   ASSERT_GT(deck.locations.size(), 60u);
   for (const auto& [path, where] : deck.locations) {
@@ -65,8 +65,7 @@ TEST(Schema, ListsEveryKeyThatADeckMayUse) {
 TEST(Schema, TakesDefaultsAndRangesFromTheDeclaration) {
   const Field top = schema();
   const Field& contact = find(top, "contact");
-  EXPECT_EQ(find(contact, "penalty_factor").initial,
-            "automatic");
+  EXPECT_EQ(find(contact, "penalty_factor").initial, "automatic");
   EXPECT_EQ(find(contact, "penalty_factor").range, "> 0");
   EXPECT_EQ(find(contact, "penalty").unit, "pressure/length");
   EXPECT_TRUE(find(contact, "primary").required);

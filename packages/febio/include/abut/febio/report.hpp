@@ -1,39 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-#include <vector>
+#include "abut/translation/report.hpp"
 
 namespace abut::febio {
 
-/// What became of one construct of a FEBio file.
-enum class Fate {
-  used,
-  ignored, ///< cannot change the answer, or means nothing to abut
-  refused, ///< not supported: there is no import
-};
-
-/// Every construct of a file and its fate, in the order of the file.
-class Report {
-public:
-  struct Entry {
-    int line = 0;
-    std::string path; ///< "Contact/contact/penalty"
-    Fate fate = Fate::used;
-    std::string note; ///< why, or how its meaning changed; may be empty
-  };
-
-  void add(Entry entry) { entries_.push_back(std::move(entry)); }
-  const std::vector<Entry>& entries() const { return entries_; }
-  int count(Fate fate) const;
-
-  /// One line for each construct, of one fate after the other.
-  std::string text(const std::string& file) const;
-  /// Throws InputError that names all that is refused; does nothing when nothing is.
-  void require_nothing_refused(const std::string& file) const;
-
-private:
-  std::vector<Entry> entries_;
-};
+using translation::Fate;
+using translation::Report;
 
 } // namespace abut::febio

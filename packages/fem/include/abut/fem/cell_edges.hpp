@@ -6,7 +6,7 @@
 namespace abut::fem {
 
 /// Corner pairs of the edges in the order in which Exodus numbers their middle nodes, which follow
-/// the corners: the middle node of edge e has the number corners + e.
+/// the corners, where there are any: the middle node of edge e has the number corners + e.
 struct CellEdges {
   int count;
   const int (*ends)[2];
@@ -23,16 +23,25 @@ inline CellEdges tet_edges() {
   return {6, ends};
 }
 
+inline CellEdges wedge_edges() {
+  static const int ends[9][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 4},
+                                 {2, 5}, {3, 4}, {4, 5}, {5, 3}};
+  return {9, ends};
+}
+
+inline CellEdges edges(CellType type) {
+  const int corners = info(type).corners;
+  return corners == 4 ? tet_edges() : corners == 6 ? wedge_edges() : hex_edges();
+}
+
 /// Middle node of the edge between two corners, or -1 when the cell has none.
 inline int edge_node(CellType type, int a, int b) {
-  CellEdges edges{0, nullptr};
-  if (type == CellType::hex20 || type == CellType::hex27)
-    edges = hex_edges();
-  if (type == CellType::tet10)
-    edges = tet_edges();
-  for (int e = 0; e < edges.count; ++e)
-    if ((edges.ends[e][0] == a && edges.ends[e][1] == b) ||
-        (edges.ends[e][0] == b && edges.ends[e][1] == a))
+  if (info(type).nodes == info(type).corners)
+    return -1;
+  const CellEdges all = edges(type);
+  for (int e = 0; e < all.count; ++e)
+    if ((all.ends[e][0] == a && all.ends[e][1] == b) ||
+        (all.ends[e][0] == b && all.ends[e][1] == a))
       return info(type).corners + e;
   return -1;
 }

@@ -10,7 +10,7 @@
 
 namespace abut::scene {
 
-/// A set of nodes by the name of a node set or a side set. Ghost nodes included.
+/// A set of nodes by the name of a node set or a side set. Ghost nodes included. Collective.
 std::vector<Local> nodes_of_set(const mesh::Mesh& mesh, const std::string& name);
 
 /// Names of node sets and side sets.

@@ -5,6 +5,7 @@
 #include "abut/core/amount.hpp"
 #include "abut/core/curve.hpp"
 #include "abut/core/window.hpp"
+#include "abut/mesh/options.hpp"
 #include "abut/rigid/options.hpp"
 #include "abut/solid/options.hpp"
 #include "abut/solver/options.hpp"
@@ -27,6 +28,21 @@ struct BodyOptions {
       initial_angular_velocity{}; ///< about its center of mass or center [rad/time]
 };
 
+/// Faces that the mesh has no side set of. Those of the blocks or the body that the selection
+/// leaves (all outer ones where nothing is named), those of `join`, without those of `subtract`.
+struct SurfaceOptions {
+  std::string name;
+  std::vector<std::string> blocks; ///< by name or number
+  std::string body;                ///< its blocks
+  std::string part_of;             ///< side set or surface: its faces instead of outer ones
+  mesh::FaceSelection selection;
+  std::vector<std::string> join, subtract; ///< side sets or surfaces
+
+  bool selects() const {
+    return !blocks.empty() || !body.empty() || !part_of.empty() || !selection.is_empty();
+  }
+};
+
 /// Displacement of the nodes of a set. components[i]: whether direction i is prescribed.
 struct DisplacementOptions {
   std::string name;
@@ -41,6 +57,7 @@ struct DisplacementOptions {
 /// What is on a mesh, how it moves and what is done to it. Names of blocks and sets are those of
 /// the mesh; names of curves, materials and rigid bodies must be given here.
 struct Options {
+  std::vector<SurfaceOptions> surfaces;
   std::vector<solid::MaterialOptions> materials;
   std::vector<BodyOptions> bodies;
   std::vector<rigid::JointOptions> joints;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/febio/report.hpp"
+#include "abut/translation/report.hpp"
 
 #include "abut/core/error.hpp"
 
 #include <algorithm>
 
-namespace abut::febio {
+namespace abut::translation {
 
 namespace {
 
@@ -27,8 +27,8 @@ std::string Report::text(const std::string& file) const {
   for (const Fate fate : {Fate::refused, Fate::used, Fate::ignored})
     for (const Entry& e : entries_)
       if (e.fate == fate)
-        out += std::string(word(fate)) + "  line " + std::to_string(e.line) + "  " + e.path +
-               (e.note.empty() ? "" : ": " + e.note) + "\n";
+        out += std::string(word(fate)) + (bytes_ ? "  byte " : "  line ") + std::to_string(e.line) +
+               "  " + e.path + (e.note.empty() ? "" : ": " + e.note) + "\n";
   return out;
 }
 
@@ -36,10 +36,10 @@ void Report::require_nothing_refused(const std::string& file) const {
   std::string message;
   for (const Entry& e : entries_)
     if (e.fate == Fate::refused)
-      message += (message.empty() ? "" : "\n") + file + ":" + std::to_string(e.line) + ": " +
-                 e.path + ": " + e.note;
+      message += (message.empty() ? "" : "\n") + file + (bytes_ ? ": byte " : ":") +
+                 std::to_string(e.line) + ": " + e.path + ": " + e.note;
   if (!message.empty())
     throw InputError(message);
 }
 
-} // namespace abut::febio
+} // namespace abut::translation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "yaml_text.hpp"
+#include "abut/translation/yaml_text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace abut::febio {
+namespace abut::translation {
 
 std::string number_text(double x) {
   char text[40];
@@ -88,4 +88,4 @@ std::string DeckNames::make(const std::string& name, const std::string& otherwis
   return unique;
 }
 
-} // namespace abut::febio
+} // namespace abut::translation
