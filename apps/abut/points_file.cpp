@@ -25,7 +25,7 @@ void PointsFile::write(double time, long long augmentations) const {
   constexpr const char* words[] = {"open", "slip", "stick"};
   std::string text;
   for (const auto& contact : model_.contacts) {
-    auto records = model_.comm.gather(contact->records());
+    auto records = model_.comm.gather(contact->points().records());
     std::sort(records.begin(), records.end(), [](const auto& a, const auto& b) {
       return a.face != b.face ? a.face < b.face : a.point < b.point;
     });

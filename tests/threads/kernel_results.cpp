@@ -92,12 +92,12 @@ std::vector<Kind> kinds() {
 
 void add_sites(Results& out, const std::string& name, const contact::Interaction& pair) {
   std::vector<double> site, record;
-  for (const contact::Site& s : pair.sites()) {
+  for (const contact::Site& s : pair.points().sites()) {
     const Vec3 t = s.traction();
     site.insert(site.end(), {s.gap, s.multiplier, t[0], t[1], t[2]});
   }
   std::vector<double> status;
-  for (const contact::PointRecord& r : pair.records()) {
+  for (const contact::PointRecord& r : pair.points().records()) {
     record.insert(record.end(), {r.gap, r.slip, r.pressure, r.shear, r.traction[0], r.traction[1],
                                  r.traction[2]});
     status.insert(status.end(), {double(r.status), double(r.flips)});

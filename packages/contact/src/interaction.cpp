@@ -445,14 +445,17 @@ ContactSummary Interaction::summary() const {
 NodalSums Interaction::nodal_sums(Side side) const {
   return side == Side::primary ? primary_sums(parts_->data) : secondary_sums(parts_->data);
 }
-std::vector<PointRecord> Interaction::records() const {
-  return contact::records(parts_->data);
+PointLists Interaction::points() const {
+  return PointLists(*this);
 }
-std::vector<ClosedPoint> Interaction::closed_points() const {
-  return contact::closed_points(parts_->data, parts_->pairs);
+std::vector<PointRecord> PointLists::records() const {
+  return contact::records(parts_.data);
 }
-std::vector<Site> Interaction::sites() const {
-  const Sites sites(parts_->data);
+std::vector<ClosedPoint> PointLists::closed() const {
+  return contact::closed_points(parts_.data, parts_.pairs);
+}
+std::vector<Site> PointLists::sites() const {
+  const Sites sites(parts_.data);
   std::vector<Site> list;
   for (Local i = 0; i < sites.size(); ++i)
     list.push_back(sites[i]);

@@ -268,7 +268,7 @@ private:
     for (const auto& contact : s_.contacts) {
       if (!contact->settings().window.holds(at_.t))
         continue;
-      for (const contact::ClosedPoint& q : contact->closed_points()) {
+      for (const contact::ClosedPoint& q : contact->points().closed()) {
         hold(pieces_.mover(contact->primary().field_index[std::size_t(q.primary_node)]), q.normal,
              q.x);
         closed.push_back(q);

@@ -183,7 +183,7 @@ TEST_P(DualAutomatic, SmoothedIsTheTheorysTangent) {
       s.system.evaluate(*s.pair, true);
       tangent[automatic] = s.system.tangent;
       double least = 1e300, most = 0.0;
-      for (const Site& p : s.pair->sites())
+      for (const Site& p : s.pair->points().sites())
         if (p.state.pressed()) {
           least = std::min(least, p.multiplier);
           most = std::max(most, p.multiplier);

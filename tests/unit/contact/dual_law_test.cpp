@@ -125,7 +125,7 @@ TEST_P(DualLaws, UniformGapGivesUniformPressure) {
     EXPECT_NEAR(p, 1.0, 1e-12);
   EXPECT_NEAR(plates.pair.summary().max_pressure, 1.0, 1e-12);
   EXPECT_NEAR(plates.pair.summary().penalty_energy, 0.5 * 100.0 * 1e-4, 1e-15);
-  for (const PointRecord& r : plates.pair.records())
+  for (const PointRecord& r : plates.pair.points().records())
     EXPECT_NEAR(r.pressure, 1.0, 1e-12);
 }
 

@@ -278,9 +278,9 @@ TEST(Interaction, AutomaticPenalty) {
   DenseSystem system(8, 3);
   contact::Interaction soft(Comm(MPI_COMM_WORLD), upper, lower, o, timers);
   system.evaluate(soft, false);
-  EXPECT_DOUBLE_EQ(soft.sites()[0].penalty, 2.0 * 3.0 * 4.0);
+  EXPECT_DOUBLE_EQ(soft.points().sites()[0].penalty, 2.0 * 3.0 * 4.0);
   upper.modulus = {0.0};
   contact::Interaction rigid(Comm(MPI_COMM_WORLD), upper, lower, o, timers);
   system.evaluate(rigid, false);
-  EXPECT_DOUBLE_EQ(rigid.sites()[0].penalty, 2.0 * 3.0 * 0.5);
+  EXPECT_DOUBLE_EQ(rigid.points().sites()[0].penalty, 2.0 * 3.0 * 0.5);
 }

@@ -85,14 +85,14 @@ TEST(PlateauTest, SetsThatComeBackTakeHalfSteps) {
   };
   const auto way = [&] { // that the multipliers go, over the way to the pressures
     std::vector<double> multiplier, pressure;
-    for (const Site& p : scene.pair->sites()) {
+    for (const Site& p : scene.pair->points().sites()) {
       multiplier.push_back(p.multiplier);
       pressure.push_back(p.state.pressure);
     }
     scene.pair->augment();
     double moved = 0.0, whole = 0.0;
     for (std::size_t i = 0; i < multiplier.size(); ++i) {
-      moved += std::fabs(scene.pair->sites()[i].multiplier - multiplier[i]);
+      moved += std::fabs(scene.pair->points().sites()[i].multiplier - multiplier[i]);
       whole += std::fabs(pressure[i] - multiplier[i]);
     }
     EXPECT_GT(whole, 0.01);

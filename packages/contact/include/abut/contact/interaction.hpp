@@ -15,6 +15,8 @@
 
 namespace abut::contact {
 
+class PointLists;
+
 /// Contact of two surfaces in one of three formulations, with Coulomb friction, by penalty or
 /// augmented Lagrangian. Points are integration points of the primary faces, (I,P) with I faces and
 /// P points each. Usable on its own: it takes surfaces, options and a communicator, and gives
@@ -92,9 +94,7 @@ public:
   /// of each point goes to the corners of the face that it meets, by their linear functions: summed
   /// over the corner nodes it is minus the force on the primary. Collective.
   NodalSums nodal_sums(Side side = Side::primary) const;
-  std::vector<PointRecord> records() const;       ///< of this rank
-  std::vector<ClosedPoint> closed_points() const; ///< of this rank
-  std::vector<Site> sites() const;                ///< of this rank: points (I,P), or nodes
+  PointLists points() const;
   const mesh::Surface& primary() const;
   const Settings& settings() const;
 
@@ -105,6 +105,7 @@ public:
 private:
   friend void exchange_state(StateArchive&, Interaction&, const NodalFields&);
 
+  friend class PointLists;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
@@ -113,5 +114,18 @@ private:
 /// one, for taking; the interface must have been prepared where the run starts. Taking is
 /// collective.
 void exchange_state(StateArchive& archive, Interaction& interface, const NodalFields& accepted);
+
+/// What the points of this rank have, as of the last evaluation. Not longer than its interaction.
+class PointLists {
+public:
+  explicit PointLists(const Interaction& interaction) : parts_(*interaction.parts_) {}
+
+  std::vector<PointRecord> records() const;
+  std::vector<ClosedPoint> closed() const;
+  std::vector<Site> sites() const; ///< points (I,P), or nodes
+
+private:
+  const Interaction::Parts& parts_;
+};
 
 } // namespace abut::contact
