@@ -215,6 +215,8 @@ void check(const std::string& deck_file) {
   explain_joints(*m, print);
   explain_supports(*m, print);
   explain_contact(*m, print);
+  for (const std::string& shift : shifts_of_start(*m))
+    print("{}", shift);
   for (const auto& list : {m->warnings, warnings_of_start(*m)})
     for (const std::string& warning : list)
       print("WARNING: {}", warning);
