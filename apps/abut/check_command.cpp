@@ -262,6 +262,8 @@ void check(const std::string& deck_file) {
   explain_supports(*m, print);
   explain_loads(*m, print);
   explain_contact(*m, print);
+  for (const std::string& shift : shifts_of_start(*m))
+    print("{}", shift);
   explain_time(*m, print);
   for (const auto& list : {m->warnings, warnings_of_start(*m)})
     for (const std::string& warning : list)

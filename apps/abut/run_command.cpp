@@ -93,6 +93,8 @@ void announce(const Model& m, Progress& progress) {
                             m.deck.title.empty() ? m.deck.file : m.deck.title, m.mesh->num_nodes,
                             m.mesh->num_elements, m.equations->dofs().num_global_rows() * 3,
                             m.comm.size(), m.comm.size() > 1 ? "s" : ""));
+  for (const std::string& shift : shifts_of_start(m))
+    progress.line(shift);
   for (const auto& list : {m.warnings, warnings_of_start(m)})
     for (const std::string& warning : list)
       progress.warning(warning);

@@ -54,6 +54,8 @@ Json contact_json(const Model& m, const scene::State& s, const scene::PenaltyErr
         {"penalty_error", penalty.contacts[i]},
         {"penetration_over_approach", penalty.penetration_over_approach[i]},
         {"initial_overlap", c.initial_overlap},
+        {"shifted_points", c.shifted_points},
+        {"max_shift", c.max_shift},
         {"penalty_factor", c.penalty_factor}};
   }
   return all;

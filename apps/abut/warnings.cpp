@@ -33,12 +33,34 @@ std::vector<std::string> warnings_of_start(const Model& m) {
       result.push_back(path + fmt::format("{:.0f}% of the points of '{}' near '{}' see its back: "
                                           "check which way the faces point",
                                           100.0 * wrong, settings.primary, settings.secondary));
+    if (settings.fits && s.paired_points > 0 && s.shifted_points == 0)
+      result.push_back(path +
+                       fmt::format("the interference acts nowhere: no point of '{}' is within "
+                                   "{:.4g} of '{}' at the start; give 'fit_within'",
+                                   settings.primary, settings.fit_within, settings.secondary));
     if (s.max_penetration_over_face_size > deep)
       result.push_back(path +
                        fmt::format("'{}' and '{}' overlap at the start by up to {:.4g}, {:.2g} "
                                    "of a face: is that meant?",
                                    settings.primary, settings.secondary, s.max_penetration,
                                    s.max_penetration_over_face_size));
+  }
+  return result;
+}
+
+std::vector<std::string> shifts_of_start(const Model& m) {
+  std::vector<std::string> result;
+  for (const auto& c : m.contacts) {
+    const contact::Settings& settings = c->settings();
+    if (!c->acts())
+      continue;
+    const contact::ContactSummary s = c->summary();
+    const bool is_asked_for = settings.fits || settings.initial_gap == contact::InitialGap::close;
+    if (is_asked_for || s.shifted_points > 0)
+      result.push_back(
+          fmt::format("contact.{}: gaps of {} of {} points are shifted at the start, by "
+                      "up to {:.4g}",
+                      c->name(), s.shifted_points, s.points, s.max_shift));
   }
   return result;
 }

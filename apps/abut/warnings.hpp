@@ -15,6 +15,11 @@ namespace abut::app {
 /// wrong way, deep in each other. The equations must have been evaluated there. Collective.
 std::vector<std::string> warnings_of_start(const Model& model);
 
+/// How many points of each interface have their gap counted from another zero than that of the
+/// meshes, and by how much: "contact.NAME: ...". Where an interface fits or closes, also when none
+/// has. The equations must have been evaluated at the start. Collective.
+std::vector<std::string> shifts_of_start(const Model& model);
+
 /// Watches which interfaces ever touch, and how deep.
 class ContactWatch {
 public:

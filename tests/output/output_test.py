@@ -25,7 +25,7 @@ PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
            "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",
            "friction_dissipation", "penalty_energy", "penalty_error", "penetration_over_approach", "initial_overlap",
-           "penalty_factor"]
+           "shifted_points", "max_shift", "penalty_factor"]
 
 DECK = {
     "title": "Two blocks",

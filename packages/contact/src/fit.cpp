@@ -42,7 +42,7 @@ std::string warn_of_facets(const Comm& comm, const mesh::Surface& primary,
     return flat ? entry + "'initial_gap: round' changes nothing: '" + primary.name + "' and '" +
                       secondary.name + "' have no flat faces with four corners that bend"
                 : "";
-  if (flat || options.tied)
+  if (flat || options.tied || options.interference)
     return "";
   PhaseTimers timers;
   Interaction probe(comm, primary, secondary, options, timers);
@@ -60,7 +60,9 @@ std::string warn_of_facets(const Comm& comm, const mesh::Surface& primary,
                 "by up to %.3g, and the fit at the start is %.3g: ", start.facet_rise, fit);
   return entry + "the flat faces of '" + primary.name + "' and '" + secondary.name +
          "' miss the gap of the round surfaces that they stand for " + numbers +
-         "'initial_gap: round' takes that out, where the bodies slide little";
+         (probe.settings().initial_gap == InitialGap::close ? "'initial_overlap: adjust'"
+                                                            : "'initial_gap: round'") +
+         " takes that out, where the bodies slide little";
 }
 
 } // namespace abut::contact

@@ -42,9 +42,9 @@ struct Interaction::Parts {
   InterfaceData data;
   Augmenter augmenter;
   PhaseTimers& timers;
-  std::function<double(double)> penalty_schedule, friction_schedule;
+  std::function<double(double)> penalty_schedule, friction_schedule, interference_schedule;
   NormalLaw normal_law;
-  double end = 1.0; ///< t at which an initial overlap is resolved
+  double end = 1.0; ///< t at which an initial overlap is resolved and an interference whole
   bool exact_tangent = false;
   NearestHold hold; ///< see Interaction::hold_by_nearest
 
@@ -69,9 +69,11 @@ Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface 
 Interaction::~Interaction() = default;
 
 void Interaction::set_schedules(std::function<double(double)> penalty,
-                                std::function<double(double)> friction) {
+                                std::function<double(double)> friction,
+                                std::function<double(double)> interference) {
   parts_->penalty_schedule = std::move(penalty);
   parts_->friction_schedule = std::move(friction);
+  parts_->interference_schedule = std::move(interference);
   ++parts_->state_version;
 }
 
@@ -145,11 +147,14 @@ void Interaction::Parts::set_terms(double time) {
   terms.user_law = bool(normal_law);
   terms.penalty = given ? scale * o.penalty : 0.0;
   terms.stiffness = given ? 0.0 : scale * data.factor * o.modulus;
-  const double resolved = std::min(o.window.until.value_or(end), end);
-  terms.fade = o.initial_overlap == InitialOverlap::adjust ? 1.0
-               : o.initial_overlap == InitialOverlap::resolve
-                   ? std::max(0.0, 1.0 - (time - o.window.from) / (resolved - o.window.from))
-                   : 0.0;
+  const double whole = std::min(o.window.until.value_or(end), end);
+  const double left =
+      std::max(0.0, std::min(1.0, 1.0 - (time - o.window.from) / (whole - o.window.from)));
+  terms.start.fade = o.initial_overlap == InitialOverlap::adjust    ? 1.0
+                     : o.initial_overlap == InitialOverlap::resolve ? left
+                                                                    : 0.0;
+  terms.start.interference =
+      o.interference * (interference_schedule ? interference_schedule(time) : 1.0 - left);
   terms.search_hold = step_iterates >= o.segment_updates ? frozen_margin : 0.0;
 }
 

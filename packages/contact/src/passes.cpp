@@ -38,7 +38,8 @@ std::shared_ptr<Interaction> make_pass(const Comm& comm, const mesh::Surface& pr
   auto pass = std::make_shared<Interaction>(comm, primary, secondary, options, timers, share);
   const std::string path = "contact." + options.name;
   pass->set_schedules(curve(host, path + ".penalty_curve", options.penalty_curve),
-                      curve(host, path + ".friction_curve", options.friction_curve));
+                      curve(host, path + ".friction_curve", options.friction_curve),
+                      curve(host, path + ".interference_curve", options.interference_curve));
   pass->set_end(host.end);
   if (host.prescribed)
     pass->set_prescribed(host.prescribed(pass->primary()));

@@ -45,6 +45,28 @@ const char* against_sticky(const ContactOptions& o) {
   return o.friction > 0.0 ? "friction" : nullptr;
 }
 
+/// An interference says all of the start; a distance belongs to a word that asks for it.
+void refuse_fits(const ContactOptions& o) {
+  const auto refuse = [&](bool refused, const char* key, const std::string& reason) {
+    if (refused)
+      throw OptionError("contact." + o.name + key, reason);
+  };
+  const bool closes = o.initial_gap == InitialGap::close;
+  refuse(o.interference && o.initial_overlap != InitialOverlap::keep, ".interference",
+         "does not go with 'initial_overlap': no overlap of the meshes counts where it is given");
+  refuse(o.interference && o.initial_gap != InitialGap::automatic, ".interference",
+         "does not go with 'initial_gap': no gap of the meshes counts where it is given");
+  refuse((o.interference || closes) && o.tied, o.interference ? ".interference" : ".initial_gap",
+         "does not go with 'tied', whose word for gaps is 'tie_gap'");
+  refuse(closes && !o.fit_within, "",
+         "missing key 'fit_within': up to which gap does 'initial_gap: close' close (expected a "
+         "number > 0 [length])");
+  refuse(o.fit_within && !closes && !o.interference, ".fit_within",
+         "goes with 'interference' or 'initial_gap: close' only");
+  refuse(!o.interference_curve.empty() && !o.interference, ".interference_curve",
+         "missing key 'interference', on which it is a factor");
+}
+
 void refuse_contradictions(const ContactOptions& o, const SideComparison& sides) {
   const auto refuse = [&](bool refused, const char* key, const std::string& reason) {
     if (refused)
@@ -64,6 +86,7 @@ void refuse_contradictions(const ContactOptions& o, const SideComparison& sides)
          quoted(word(o.friction_map)) +
              " needs the rays of 'formulation: sliding_elastic'; valid here: automatic, "
              "incremental");
+  refuse_fits(o);
   refuse(sides.softest == 0.0 && !o.penalty, "",
          "missing key 'penalty' (both surfaces are rigid: expected a number > 0 "
          "[pressure/length])");
@@ -139,6 +162,17 @@ InitialGap initial_gap(const ContactOptions& o) {
   return o.initial_overlap == InitialOverlap::keep ? InitialGap::mesh : InitialGap::round;
 }
 
+/// Flat faces of both sides miss a round surface by a tenth of their size at most.
+void set_start(Settings& s, const ContactOptions& o) {
+  constexpr double rise = 0.1;
+  s.offset = o.offset;
+  s.initial_overlap = o.initial_overlap;
+  s.initial_gap = initial_gap(o);
+  s.fits = o.interference.has_value();
+  s.interference = o.interference.value_or(0.0);
+  s.fit_within = o.fit_within.value_or(std::fabs(s.interference) + 2.0 * rise * s.sides.face_size);
+}
+
 std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
@@ -193,6 +227,22 @@ std::string explain_augmentation(const Settings& s) {
          std::to_string(s.max_augmentations) + " times a step\n";
 }
 
+std::string explain_start(const ContactOptions& o, const Settings& s) {
+  if (s.fits)
+    return "fit: interference " + number(s.interference) +
+           (o.interference_curve.empty() ? ", growing with t"
+                                         : ", over '" + o.interference_curve + "'") +
+           ", where the surfaces are within " + number(s.fit_within) + " at the start, " +
+           (o.fit_within ? "given\n" : "automatic\n");
+  if (s.initial_gap == InitialGap::close)
+    return "initial gap: closed up to " + number(s.fit_within) + ", given\n";
+  if (s.initial_overlap == InitialOverlap::keep)
+    return "";
+  return std::string("initial gap: ") +
+         (s.initial_gap == InitialGap::round ? "of the round surfaces" : "of the meshes") +
+         (o.initial_gap == InitialGap::automatic ? ", automatic\n" : ", given\n");
+}
+
 } // namespace
 
 Settings resolve(const ContactOptions& o, const SideComparison& sides) {
@@ -220,9 +270,7 @@ Settings resolve(const ContactOptions& o, const SideComparison& sides) {
   s.tie_distance = o.tie_distance;
   s.stick_within = o.stick_within;
   s.stick_strength = o.stick_strength.value_or(s.stick_strength);
-  s.offset = o.offset;
-  s.initial_overlap = o.initial_overlap;
-  s.initial_gap = initial_gap(o);
+  set_start(s, o);
   s.points = o.points;
   s.reach = o.reach;
   s.projection_margin = o.projection_margin;
@@ -245,10 +293,7 @@ std::string explain(const ContactOptions& o, const Settings& s) {
   text += explain_penalty(o, s);
   if (s.augmented())
     text += explain_space(o, s) + explain_augmentation(s);
-  if (s.initial_overlap != InitialOverlap::keep)
-    text += std::string("initial gap: ") +
-            (s.initial_gap == InitialGap::round ? "of the round surfaces" : "of the meshes") +
-            (o.initial_gap == InitialGap::automatic ? ", automatic\n" : ", given\n");
+  text += explain_start(o, s);
   if (s.friction > 0.0)
     text += "friction: mu = " + number(s.friction) + ", map " + word(s.friction_map) +
             (o.friction_map == FrictionMap::automatic ? ", automatic\n" : ", given\n");

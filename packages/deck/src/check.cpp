@@ -32,6 +32,7 @@ public:
     for (const auto& pair : deck_.contact) {
       curve("contact." + pair.name, pair.penalty_curve, ".penalty_curve");
       curve("contact." + pair.name, pair.friction_curve, ".friction_curve");
+      curve("contact." + pair.name, pair.interference_curve, ".interference_curve");
     }
     for (const auto& v : deck_.verify)
       verify(v);

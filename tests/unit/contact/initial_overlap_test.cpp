@@ -61,6 +61,74 @@ TEST_P(InitialOverlaps, AnOffsetIsResolvedToo) {
   EXPECT_NEAR(force(InitialOverlap::resolve, 1.0, 0.02), kept, 1e-12);
 }
 
+class Starts : public ::testing::TestWithParam<Case> {
+protected:
+  /// Gaps of all sites that take part at t, without moving anything, of wavy surfaces that overlap in part.
+  static std::vector<double> gaps(ContactOptions o, double t,
+                                  std::function<double(double)> interference = {}) {
+    o.formulation = std::get<0>(GetParam()).formulation;
+    o.multipliers = std::get<1>(GetParam());
+    o.penalty = 7.0;
+    DualScene scene(std::get<0>(GetParam()).primary, std::get<0>(GetParam()).secondary, o, 0.01);
+    scene.pair->set_schedules({}, {}, std::move(interference));
+    scene.system.evaluate(*scene.pair, false, 0.0);
+    scene.system.evaluate(*scene.pair, false, t);
+    std::vector<double> list;
+    for (const Site& site : scene.pair->sites())
+      if (site.area > 0.0)
+        list.push_back(site.gap);
+    return list;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(
+    Cases, Starts,
+    ::testing::Combine(::testing::ValuesIn(abut::contact::testing::all_faces()),
+                       ::testing::Values(Multipliers::per_point, Multipliers::smoothed,
+                                         Multipliers::dual)));
+
+TEST_P(Starts, AnInterferenceIsThatOfEverySiteThatIsNear) {
+  const double within = 0.02, offset = 0.004;
+  ContactOptions o;
+  o.offset = offset;
+  const std::vector<double> meshes = gaps(o, 0.0);
+  o.fit_within = within;
+  for (const double value : {0.03, -0.01}) {
+    o.interference = value;
+    const std::vector<double> half = gaps(o, 0.5), whole = gaps(o, 1.0),
+                              given = gaps(o, 0.5, [](double t) { return 3.0 * t; });
+    int fits = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const bool near = std::fabs(meshes[i]) <= within;
+      fits += near;
+      EXPECT_NEAR(half[i], near ? -0.5 * value : meshes[i], 1e-13);
+      EXPECT_NEAR(whole[i], near ? -value : meshes[i], 1e-13);
+      EXPECT_NEAR(given[i], near ? -1.5 * value : meshes[i], 1e-13);
+    }
+    EXPECT_GT(fits, 0);
+    EXPECT_LT(fits, int(meshes.size()));
+  }
+}
+
+TEST_P(Starts, SmallGapsAreClosedAndNothingElse) {
+  ContactOptions o;
+  o.initial_overlap = InitialOverlap::keep;
+  const std::vector<double> meshes = gaps(o, 0.0);
+  o.initial_gap = InitialGap::close;
+  o.fit_within = 0.015;
+  const std::vector<double> closed = gaps(o, 1.0);
+  o.initial_overlap = InitialOverlap::adjust;
+  const std::vector<double> adjusted = gaps(o, 1.0);
+  int shifted = 0;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const bool small = meshes[i] > 0.0 && meshes[i] <= *o.fit_within;
+    shifted += small;
+    EXPECT_NEAR(closed[i], small ? 0.0 : meshes[i], 1e-13);
+    EXPECT_NEAR(adjusted[i], small ? 0.0 : std::max(0.0, meshes[i]), 1e-13);
+  }
+  EXPECT_GT(shifted, 0);
+  EXPECT_LT(shifted, int(meshes.size()));
+}
+
 /// Flat plates of area 1 whose meshes overlap by `overlap`.
 TEST(InitialOverlap, AnOffsetIsNotAdjusted) {
   for (const Multipliers space : {Multipliers::per_point, Multipliers::smoothed, Multipliers::dual})

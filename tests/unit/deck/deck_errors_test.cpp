@@ -78,7 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
              "friction_map, friction_switching, two_pass, tension, tied, tie_distance, tie_gap, "
              "sticky, "
              "stick_within, stick_strength, offset, "
-             "initial_overlap, initial_gap, tangent, from, until, points, reach, "
+             "initial_overlap, initial_gap, interference, interference_curve, fit_within, "
+             "tangent, from, until, points, reach, "
              "projection_margin, segment_updates, multiplier_tolerance, gap_tolerance, gap_limit, "
              "min_augmentations, max_augmentations"},
         Case{1, "", "d.yaml:1: missing key 'mesh' (where the mesh comes from)"},

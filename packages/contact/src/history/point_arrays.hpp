@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/contact/site.hpp"
+#include "abut/contact/site_start.hpp"
 #include "abut/core/types.hpp"
 #include "abut/core/views.hpp"
 
@@ -18,7 +19,7 @@ struct PointHistory {
   bool torn = false;       ///< a sticky point that has come off in this step
   double gap = 0.0;        ///< at the last converged step, offset not taken off [length]
   double rise = 0.0;       ///< of the round surfaces over the faces at the start [length]
-  double overlap = 0.0;    ///< at the start, see Settings::overlap_of [length]
+  SiteStart start;
   double path = 0.0;       ///< length of the way slipped in contact so far [length]
   double sliding = 0.0;    ///< shear force of the last step if it slipped then, else 0 [force]
   double dissipated = 0.0; ///< friction work so far [energy]

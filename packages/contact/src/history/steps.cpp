@@ -42,8 +42,9 @@ void begin_point(InterfaceData& data, const PartnerSearch& search, Local i) {
   PointHistory& history = data.points.history(i);
   history.gap = best.gap;
   const double start = best.gap - data.terms.rise * history.rise;
-  history.overlap = o.overlap_of(start);
-  const double gap = start - o.offset, size = data.primary().size(data.primary().face(i));
+  history.start = o.start_of(start);
+  const double gap = start - o.offset - history.start.shift,
+               size = data.primary().size(data.primary().face(i));
   const double touching = touching_gap * size;
   history.in_contact = o.tied     ? std::fabs(gap) <= o.tie_distance * size
                        : o.sticky ? gap < o.stick_within - touching
@@ -151,10 +152,10 @@ void begin_history(InterfaceData& data) {
       return;
     Kokkos::parallel_for("abut::contact::read_points", Range(0, data.points.size()),
                          ReadPoints{search, data.points, data.terms});
-    data.nodal->start(data.primary(), data.points, data.settings, data.terms.fade);
+    data.nodal->start(data.primary(), data.points, data.settings, data.terms.start);
     for (Local i = 0; i < data.points.size(); ++i)
-      data.points.history(i).overlap = data.points.converged(i).overlap =
-          data.nodal->initial_overlap(data.primary().face(i), i);
+      data.points.history(i).start = data.points.converged(i).start =
+          data.nodal->start_at(data.primary().face(i), i);
   });
 }
 

@@ -125,9 +125,9 @@ struct GatherNodes {
   }
 };
 
-/// Means of a node from its sums. fade: see PointTerms.
+/// Means of a node from its sums.
 KOKKOS_INLINE_FUNCTION void read_node(const NodalArrays& nodes, Local n, const double* sum,
-                                      bool friction, double fade, NodeState& state) {
+                                      bool friction, const StartTerms& start, NodeState& state) {
   state.reading = {};
   state.reading.size = nodes.size(n);
   state.reading.soft = nodes.soft(n);
@@ -138,7 +138,7 @@ KOKKOS_INLINE_FUNCTION void read_node(const NodalArrays& nodes, Local n, const d
   SiteReading& r = state.reading;
   state.area = sum[sum_area];
   r.covered = true;
-  r.eased = fade * nodes.history(n).overlap;
+  r.eased = start.eased(nodes.history(n).start);
   r.gap = sum[sum_gap] / state.area + r.eased;
   r.penalty = sum[sum_penalty] / state.area;
   const Vec3 normal = vector(sum_normal);
@@ -157,11 +157,11 @@ struct DecideNodes {
   int width;
   bool friction; ///< the sums have columns of slip
   LawTerms law;
-  double fade;
+  StartTerms start;
 
   KOKKOS_INLINE_FUNCTION void operator()(Local n) const {
     NodeState& state = nodes.state(n);
-    read_node(nodes, n, &sums(n * width), friction, fade, state);
+    read_node(nodes, n, &sums(n * width), friction, start, state);
     state.reading.multiplier = nodes.history(n).multiplier;
     const SitePast past{nodes.converged(n).in_contact,
                         nodes.converged(n).gap + state.reading.eased};

@@ -19,7 +19,7 @@ struct ReadPoints {
     s = {};
     const PointHistory& history = points.history(i);
     const auto at = search.primary.at(i);
-    s.offset = terms.offset + terms.rise * history.rise - terms.fade * history.overlap;
+    s.offset = terms.offset + terms.rise * history.rise - terms.start.eased(history.start);
     s.anchor = history.anchor >= 0 ? search.facing.find(history.anchor) : -1;
     if (terms.anchored_map && s.anchor >= 0 && anchored(i, at, s))
       return;
@@ -165,7 +165,7 @@ private:
 
   KOKKOS_INLINE_FUNCTION void read_gap(Local i, const PointState& s, SiteReading& r) const {
     r.gap = points.net_gap(i);
-    r.eased = terms.fade * points.history(i).overlap;
+    r.eased = terms.start.eased(points.history(i).start);
     r.normal = s.normal;
     r.pulls = (terms.tension && points.converged(i).in_contact) ||
               (terms.sticky && !points.history(i).torn && r.gap < terms.stick_within);

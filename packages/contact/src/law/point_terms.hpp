@@ -25,7 +25,7 @@ struct PointTerms {
   double softest = 0.0;      ///< E while springs are no stiffer than the bodies, else 0 [pressure]
   double offset = 0.0;       ///< gap that counts as closed [length]
   double rise = 0.0;         ///< part of the points' rise that closes their gap: 0 or 1
-  double fade = 0.0;         ///< part of the initial overlap that does not count now
+  StartTerms start;
   double stick_within = 0.0; ///< [length]
   double reach = 0.0;        ///< gap of points without a partner, in face sizes
   double share = 1.0;        ///< part of the traction that this pass carries

@@ -11,10 +11,10 @@ namespace {
 /// Sums and extremes over the points of one rank.
 struct Tally {
   enum { force, area = 3, normal, tangential, energy, softness, dissipation, sums };
-  enum { pressure, penetration, relative, gap, slip, overlap, rise, nearness, extremes };
-  enum { points, paired, active, stick, slipping, flips, counts };
+  enum { pressure, penetration, relative, gap, slip, overlap, rise, shift, nearness, extremes };
+  enum { points, paired, active, stick, slipping, flips, shifted, counts };
   double sum[sums] = {};
-  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, 0.0, -1e300};
+  double largest[extremes] = {0.0, 0.0, 0.0, -1e300, 0.0, 0.0, 0.0, 0.0, -1e300};
   double count[counts] = {};
 
   void raise(int which, double value) { largest[which] = std::max(largest[which], value); }
@@ -80,6 +80,15 @@ void add_pressed(const InterfaceData& data, Local i, Tally& t) {
   t.raise(Tally::relative, penetration / data.primary().size(data.primary().face(i)));
 }
 
+void add_start(const InterfaceData& data, Local i, Tally& t) {
+  const SiteStart& start = data.points.history(i).start;
+  const double shift = std::fabs(data.settings.shift_of(start));
+  const double none = touching_gap * data.primary().size(data.primary().face(i));
+  t.count[Tally::shifted] += start.fit > 0.0 || shift > none ? 1.0 : 0.0;
+  t.raise(Tally::shift, shift);
+  t.raise(Tally::overlap, start.overlap);
+}
+
 Tally tally(const InterfaceData& data) {
   Tally t;
   for (Local i = 0; i < data.points.size(); ++i) {
@@ -89,7 +98,7 @@ Tally tally(const InterfaceData& data) {
     t.count[Tally::flips] += data.points.iterate(i).site.flips;
     t.sum[Tally::dissipation] += history.dissipated;
     t.raise(Tally::slip, history.path);
-    t.raise(Tally::overlap, history.overlap);
+    add_start(data, i, t);
     if (s.facing < 0)
       continue;
     t.raise(Tally::rise, std::fabs(history.rise));
@@ -153,6 +162,8 @@ ContactSummary summarize(const InterfaceData& data) {
   s.min_gap = -largest[Tally::nearness];
   s.max_slip = largest[Tally::slip];
   s.initial_overlap = largest[Tally::overlap];
+  s.shifted_points = count(Tally::shifted);
+  s.max_shift = largest[Tally::shift];
   s.facet_rise = largest[Tally::rise];
   s.max_pressure = largest[Tally::extremes];
   return s;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/contact/site.hpp"
+#include "abut/contact/site_start.hpp"
 #include "abut/core/types.hpp"
 #include "abut/core/views.hpp"
 
@@ -14,7 +15,7 @@ struct NodeHistory {
   double multiplier = 0.0; ///< [pressure]
   bool in_contact = false; ///< at the last converged step
   double gap = 0.0;        ///< then, less the offset, nothing eased [length]
-  double overlap = 0.0;    ///< at the start, of the averaged gap: Settings::overlap_of [length]
+  SiteStart start;         ///< of the averaged gap
   double sliding = 0.0;    ///< size of its shear if it slipped then, else 0 [pressure]
 };
 

@@ -125,32 +125,37 @@ void NodalSpace::evaluate(const PrimaryView& primary, const PointArrays& points,
                           const PointTerms& terms) {
   const View<double> sums = gather(primary, points, width());
   Kokkos::parallel_for("abut::contact::decide_nodes", Range(0, arrays_.nodes()),
-                       DecideNodes{arrays_, sums, width(), friction_, terms.law, terms.fade});
+                       DecideNodes{arrays_, sums, width(), friction_, terms.law, terms.start});
   Kokkos::parallel_for("abut::contact::spread_nodes", Range(0, primary.points()),
                        SpreadNodes{primary, points, arrays_});
 }
 
 void NodalSpace::start(const PrimaryView& primary, const PointArrays& points,
-                       const Settings& settings, double fade) {
+                       const Settings& settings, const StartTerms& terms) {
   const View<double> sums = gather(primary, points, sum_slip);
   for (Local n = 0; n < arrays_.nodes(); ++n) {
     NodeState& state = arrays_.state(n);
     NodeHistory& history = arrays_.history(n);
-    history.overlap = 0.0;
-    read_node(arrays_, n, &sums(n * sum_slip), false, fade, state);
+    history.start = {};
+    read_node(arrays_, n, &sums(n * sum_slip), false, terms, state);
     history.gap = state.reading.gap;
     if (state.area > 0.0)
-      history.overlap = settings.overlap_of(history.gap + settings.offset);
-    history.in_contact = state.area > 0.0 &&
-                         history.gap + fade * history.overlap <= touching_gap * state.reading.size;
+      history.start = settings.start_of(history.gap + settings.offset);
+    history.in_contact = state.area > 0.0 && history.gap + terms.eased(history.start) <=
+                                                 touching_gap * state.reading.size;
     arrays_.converged(n) = history;
   }
 }
 
-double NodalSpace::initial_overlap(Local face, Local point) const {
-  double sum = 0.0;
-  for (int a = 0; a < arrays_.corners(face); ++a)
-    sum += arrays_.field_at(point, a) * arrays_.history(arrays_.node(face, a)).overlap;
+SiteStart NodalSpace::start_at(Local face, Local point) const {
+  SiteStart sum;
+  for (int a = 0; a < arrays_.corners(face); ++a) {
+    const SiteStart& node = arrays_.history(arrays_.node(face, a)).start;
+    const double weight = arrays_.field_at(point, a);
+    sum.overlap += weight * node.overlap;
+    sum.shift += weight * node.shift;
+    sum.fit += weight * node.fit;
+  }
   return sum;
 }
 

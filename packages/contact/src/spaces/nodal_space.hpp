@@ -32,13 +32,13 @@ public:
   /// Means of the points' readings at the nodes, the law there, and tractions at the points.
   /// Collective.
   void evaluate(const PrimaryView& primary, const PointArrays& points, const PointTerms& terms);
-  /// The gaps of the readings become those of the last converged step, and their overlap is what
-  /// the nodes have at the start. An overlap of the points themselves would not do: its average
-  /// leaves gaps that are closed where nothing overlaps. fade: see PointTerms. Collective.
+  /// The gaps of the readings become those of the last converged step, and decide where those of
+  /// the nodes count from. An overlap of the points themselves would not do: its average leaves
+  /// gaps that are closed where nothing overlaps. Collective.
   void start(const PrimaryView& primary, const PointArrays& points, const Settings& settings,
-             double fade);
-  /// What the nodes have of it, interpolated at a point [length].
-  double initial_overlap(Local face, Local point) const;
+             const StartTerms& terms);
+  /// What the nodes have of it, interpolated at a point.
+  SiteStart start_at(Local face, Local point) const;
   /// Newton goes on from this iterate.
   void take_iterate(bool new_step);
   /// Multipliers have changed: statuses stay until the next iterate is taken.

@@ -95,7 +95,7 @@ template <class V> void describe_friction(V& v, contact::ContactOptions& o) {
            "how Newton decides between stick and slip; where it ends is the same");
 }
 
-/// The second pass, ties, and what counts as closed.
+/// The second pass and ties.
 template <class V> void describe_ties(V& v, contact::ContactOptions& o) {
   v.optional("two_pass", o.two_pass,
              "both sides carry points, each half of the traction; the other side's numbers are "
@@ -114,8 +114,11 @@ template <class V> void describe_ties(V& v, contact::ContactOptions& o) {
              at_least(0.0, "length"));
   v.number_or("stick_strength", o.stick_strength, "unlimited",
               "tension along the normal beyond which sticky points come off", positive("pressure"));
-  v.optional("offset", o.offset, "gap that counts as closed: half a shell, an interference",
-             unit("length"));
+}
+
+/// What the gap at the start counts from.
+template <class V> void describe_start(V& v, contact::ContactOptions& o) {
+  v.optional("offset", o.offset, "gap that counts as closed: half a shell", unit("length"));
   using contact::InitialOverlap;
   v.choice("initial_overlap", o.initial_overlap,
            {{"keep", InitialOverlap::keep, "resolved at once, as an offset is"},
@@ -130,8 +133,23 @@ template <class V> void describe_ties(V& v, contact::ContactOptions& o) {
             {"mesh", InitialGap::mesh, "of the faces as they are"},
             {"round", InitialGap::round,
              "of the round surfaces that four-cornered flat faces stand for; for fits that slide "
-             "little"}},
+             "little"},
+            {"close", InitialGap::close,
+             "of the faces, but what is open by no more than fit_within counts as touching: strain "
+             "free"}},
            "what gaps and overlaps at the start are measured between");
+  v.number_or("interference", o.interference, "none",
+              "by how much the surfaces press into each other where they are near at the start, "
+              "whatever gap or overlap the meshes have there; grows with t; < 0: a clearance",
+              unit("length"));
+  v.optional("interference_curve", o.interference_curve,
+             "factor on the interference over the load parameter, in place of the growth with t");
+  v.number_or(
+      "fit_within", o.fit_within, "automatic",
+      "gap or overlap at the start up to which surfaces are near, for interference and "
+      "initial_gap: close, which wants it given; automatic: the interference and a tenth of "
+      "the faces of both sides",
+      positive("length"));
 }
 
 /// When and where the law is evaluated.
@@ -180,6 +198,7 @@ template <class V> void describe(V& v, contact::ContactOptions& o) {
   describe_enforcement(v, o);
   describe_friction(v, o);
   describe_ties(v, o);
+  describe_start(v, o);
   describe_evaluation(v, o);
   describe_augmentation(v, o);
 }

@@ -35,8 +35,9 @@ public:
               ContactOptions options, PhaseTimers& timers, double share = 1.0);
   ~Interaction() override;
 
-  /// Factors over the load parameter t on penalty and friction coefficient.
-  void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction);
+  /// Factors over the load parameter t on penalty, friction coefficient and interference.
+  void set_schedules(std::function<double(double)> penalty, std::function<double(double)> friction,
+                     std::function<double(double)> interference = {});
   /// Another law of the normal traction; empty: penalty and multiplier. Throws InputError where the
   /// law holds at nodes.
   void set_normal_law(NormalLaw law);
@@ -49,7 +50,7 @@ public:
   /// x, y, z: a node of the law that cannot move along the normal has no multiplier of its own, and
   /// a plateau of augmentations may have its cause there. Collective.
   void set_prescribed(const std::vector<char>& directions);
-  /// The load parameter at which an initial overlap is resolved.
+  /// The load parameter at which an initial overlap is resolved and an interference whole.
   void set_end(double t);
   /// From now on, while no point has been in contact, the nearest ones hold their bodies in
   /// predictions and approaches as if they touched, without a force. For bodies that nothing but

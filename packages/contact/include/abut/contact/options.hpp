@@ -40,6 +40,7 @@ enum class InitialGap {
   automatic, ///< round where an overlap is resolved or adjusted, mesh where it is kept
   mesh,      ///< the faces of the meshes
   round,     ///< the round surfaces that flat faces stand for, while bodies slide little
+  close,     ///< the faces, but what is open by no more than fit_within counts as touching
 };
 
 /// What becomes of the distance that a tied point has from its partner at the start.
@@ -113,9 +114,15 @@ struct ContactOptions {
   bool sticky = false;                  ///< points that touch or overlap are tied from then on
   double stick_within = 0.0;            ///< gap up to which a sticky point touches [length]
   std::optional<double> stick_strength; ///< normal tension that it stands; none: any [pressure]
-  double offset = 0.0; ///< gap that counts as closed: half a shell, an interference [length]
+  double offset = 0.0;                  ///< gap that counts as closed: half a shell [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
   InitialGap initial_gap = InitialGap::automatic;
+  /// By how much surfaces press into each other that the meshes have near each other, whatever gap
+  /// or overlap they have there; grows with t. < 0: how far apart they are [length]
+  std::optional<double> interference;
+  std::string interference_curve;   ///< factor on it over t, in place of the growth with t
+  std::optional<double> fit_within; ///< what is near; none: of an interference its size and a tenth
+                                    ///< of the faces on each side [length]
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
 

@@ -3,7 +3,9 @@
 
 #include "abut/contact/options.hpp"
 #include "abut/contact/side_choice.hpp"
+#include "abut/contact/site_start.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -46,7 +48,9 @@ struct Settings {
   double stick_strength = std::numeric_limits<double>::infinity(); ///< [pressure]
   double offset = 0.0;                                             ///< [length]
   InitialOverlap initial_overlap = InitialOverlap::keep;
-  InitialGap initial_gap = InitialGap::mesh; ///< never automatic
+  InitialGap initial_gap = InitialGap::mesh;   ///< never automatic
+  bool fits = false;                           ///< the interference counts
+  double interference = 0.0, fit_within = 0.0; ///< [length]
 
   std::optional<int> points; ///< per direction; none: 2 on linear faces, 3 on quadratic ones
   double reach = 3.0;
@@ -59,11 +63,20 @@ struct Settings {
   double length_tolerance = std::numeric_limits<double>::infinity(); ///< [length]
   int min_augmentations = 0, max_augmentations = 20;
 
-  /// What an initial overlap is at a site where the meshes have this gap at the start [length]: of
-  /// the meshes, or of all that presses where it is to grow with t.
-  double overlap_of(double gap) const {
+  /// Where gaps count from at a site where the meshes have this one at the start [length].
+  SiteStart start_of(double gap) const {
     const double closed = initial_overlap == InitialOverlap::resolve ? offset : 0.0;
-    return gap < closed ? closed - gap : 0.0;
+    const double open = gap - offset;
+    SiteStart start;
+    start.overlap = gap < closed ? closed - gap : 0.0;
+    start.fit = fits && std::fabs(open) <= fit_within ? 1.0 : 0.0;
+    const bool closes = initial_gap == InitialGap::close && open > 0.0 && open <= fit_within;
+    start.shift = start.fit > 0.0 || closes ? open : 0.0;
+    return start;
+  }
+  /// By how much the gap of the meshes is more than what counts from the start on [length].
+  double shift_of(const SiteStart& start) const {
+    return start.shift - (initial_overlap == InitialOverlap::adjust ? start.overlap : 0.0);
   }
   bool ray() const { return formulation == Formulation::sliding_elastic; }
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }

@@ -20,7 +20,7 @@ struct SiteReading {
   bool pulls = false;      ///< it may carry tension
   bool slides = true;      ///< Coulomb's law acts where it presses
   double gap = 0.0;        ///< > 0 open, less the offset, with what is eased [length]
-  double eased = 0.0;      ///< part of the initial overlap that does not count now [length]
+  double eased = 0.0;      ///< see StartTerms [length]
   double penalty = 0.0;    ///< [pressure/length]
   double multiplier = 0.0; ///< pressure = multiplier - penalty gap [pressure]
   double soft = 0.0;       ///< stiffness that decides between stick and slip; 0: the penalty's own

@@ -33,7 +33,9 @@ struct ContactSummary {
   double softness = 0.0;
   double dissipation = 0.0;     ///< by friction, since the start [energy]
   double penalty_factor = 0.0;  ///< f of the automatic penalty; 0 when `penalty` is given [1]
-  double initial_overlap = 0.0; ///< deepest at the start, see Settings::overlap_of [length]
+  double initial_overlap = 0.0; ///< deepest at the start, see SiteStart [length]
+  Global shifted_points = 0; ///< whose gap has another zero since then: closed, adjusted or fitted
+  double max_shift = 0.0;    ///< largest of them, either way [length]
   double facet_rise = 0.0; ///< largest difference then between the gap of the faces and that of the
                            ///< round surfaces that they stand for, either way [length]
 };
