@@ -128,6 +128,7 @@ std::string explain_material(const solid::MaterialOptions& o) {
 }
 
 void explain_bodies(const Model& m, const Printer& print) {
+  using solid::ElementFormulation;
   print("bodies:");
   for (std::size_t i = 0; i < m.deck.bodies.size(); ++i) {
     const scene::BodyOptions& body = m.deck.bodies[i];
@@ -138,7 +139,10 @@ void explain_bodies(const Model& m, const Printer& print) {
         continue;
       const Global count = m.comm.sum(Global(m.mesh->blocks[b].size()));
       elements += count;
-      types[fem::info(m.mesh->blocks[b].type).name] += count;
+      const bool plain = m.formulation[b].value_or(ElementFormulation::displacement) ==
+                         ElementFormulation::displacement;
+      types[(plain ? "" : std::string(name_of(*m.formulation[b])) + " ") +
+            fem::info(m.mesh->blocks[b].type).name] += count;
     }
     std::string kinds;
     for (const auto& [name, count] : types)

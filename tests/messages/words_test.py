@@ -226,6 +226,40 @@ class Penalty(Case):
         self.assertEqual(scenes.run(self.press(penalty=1e4)).summary["warnings"], [])
 
 
+class Elements(Case):
+    def deck(self, cell, poisson, **body):
+        return scenes.merged(BOX, {
+            "mesh": {"generate": {"element": cell}}, "materials": {"soft": {"poisson": poisson}}, "bodies": {"a": body},
+            "displacements": {"foot": {"set": "z0", "fix": ["x", "y", "z"]}}})
+
+    def test_those_that_lock_are_named(self):
+        volume = "elements lock in a material that hardly changes its volume"
+        bending = "elements are too stiff where bodies bend"
+        plain, enhanced = {"element": "displacement"}, {"element": "enhanced"}
+        for cell, poisson, body, warning in (
+                ("tet4", 0.3, {}, bending), ("wedge6", 0.3, {}, bending), ("tet4", 0.3, plain, None),
+                ("tet4", 0.499, {}, volume), ("wedge6", 0.499, plain, volume), ("hex8", 0.499, plain, volume),
+                ("hex8", 0.3, plain, None), ("hex8", 0.499, enhanced, None), ("tet10", 0.499, {}, None),
+                ("hex20", 0.499, {}, None)):
+            deck = self.deck(cell, poisson, **body)
+            with self.subTest(cell=cell, poisson=poisson, body=body):
+                found = scenes.run(deck).summary["warnings"]
+                self.assertEqual(len(found), warning is not None, found)
+                if warning:
+                    self.assertIn(f"bodies.a: {cell.upper().replace('TET', 'TETRA')} {warning}", found[0])
+                    self.assertIn("WARNING: " + found[0], scenes.run(deck, command="check").output)
+
+    def test_those_that_are_not_there(self):
+        self.refused(self.deck("tet4", 0.3, element="enhanced"),
+                     r"bodies\.a\.element: 'enhanced' elements are hex8; these are TETRA4$")
+        self.refused(self.deck("hex8", 0.3, element="mean_dilatation"),
+                     r"bodies\.a\.element: a 'mean_dilatation' needs an uncoupled material, mooney_rivlin or ogden$")
+        self.refused(self.deck("tet10", 0.3, element="mean_dilatation"),
+                     r"bodies\.a\.element: elements with a 'mean_dilatation' are hex8 or wedge6; these are TETRA10$")
+        self.refused(self.deck("hex8", 0.3, element="enhanced", material=None, rigid={}),
+                     r"bodies\.a\.element: the elements of a rigid body do not deform$")
+
+
 class Warnings(Case):
     def test_contact_that_never_touches(self):
         deck = scenes.merged(BLOCKS, {"contact": {"other": {"primary": "upper_x0", "secondary": "lower_x1"}}})

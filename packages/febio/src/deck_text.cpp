@@ -199,6 +199,12 @@ private:
     return out.empty() ? "" : "materials:\n" + out;
   }
 
+  /// FEBio's default: a three-field hexahedron for uncoupled materials.
+  std::string element(const Domain& d) const {
+    const bool uncoupled = model_.material(d.material)->numbers.count("k") > 0;
+    return uncoupled && d.cell == fem::CellType::hex8 ? "mean_dilatation" : "displacement";
+  }
+
   std::string bodies() {
     std::string out;
     DeckNames names;
@@ -209,6 +215,7 @@ private:
       FlowMap map;
       map.add("blocks", list_text({quoted(d.name)}));
       map.add("material", material_name_.at(d.material));
+      map.add("element", element(d));
       add_vector(map, "initial_velocity", initial_velocity(d));
       out += "  " + name + ": " + map.text() + "\n";
     }

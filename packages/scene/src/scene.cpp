@@ -12,6 +12,7 @@
 #include "contacts.hpp"
 #include "displacements.hpp"
 #include "inertia.hpp"
+#include "stiff_elements.hpp"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,25 @@ std::vector<std::optional<solid::Material>> make_materials(const Options& option
   return result;
 }
 
+/// (blocks) none for rigid ones.
+std::vector<std::optional<solid::ElementFormulation>>
+make_formulations(const Options& options, const Scene& s, const Where& where) {
+  std::vector<std::optional<solid::ElementFormulation>> result;
+  for (std::size_t b = 0; b < s.mesh->blocks.size(); ++b) {
+    std::optional<solid::ElementFormulation>& formulation = result.emplace_back();
+    const BodyOptions& body = options.bodies[std::size_t(s.body_of_block[b])];
+    if (!s.material[b])
+      continue;
+    try {
+      formulation =
+          solid::element_formulation(body.element, s.mesh->blocks[b].type, *s.material[b]);
+    } catch (const InputError& e) {
+      throw InputError(where("bodies." + body.name + ".element") + ": " + e.what());
+    }
+  }
+  return result;
+}
+
 std::vector<rigid::BodyNodes> rigid_nodes(const Options& options,
                                           const std::vector<int>& body_of_block) {
   std::vector<rigid::BodyNodes> result;
@@ -83,8 +103,8 @@ void add_contributions(const Options& options, Scene& s) {
   for (std::size_t b = 0; b < s.mesh->blocks.size(); ++b) {
     if (!s.material[b])
       continue;
-    s.solids.push_back(
-        std::make_shared<solid::SolidContribution>(*s.mesh, static_cast<int>(b), *s.material[b]));
+    s.solids.push_back(std::make_shared<solid::SolidContribution>(
+        *s.mesh, static_cast<int>(b), *s.material[b], *s.formulation[b]));
     s.equations->add(s.solids.back());
   }
   for (const auto& load : options.loads)
@@ -136,6 +156,7 @@ Scene build_scene(const Options& options, std::shared_ptr<const mesh::Mesh> shar
     check_not_empty(options, mesh, where); // sums are the same on all ranks
     s.body_of_block = assign_blocks(options, mesh, where);
     s.material = make_materials(options, s.body_of_block);
+    s.formulation = make_formulations(options, s, where);
     check_conflicts(options, mesh, where);
   });
   try {
@@ -155,8 +176,10 @@ Scene build_scene(const Options& options, std::shared_ptr<const mesh::Mesh> shar
   s.equations = empty_equations(mesh, s.rigid_body_of_node, s.rigid_bodies, s.joints, timers);
   add_contributions(options, s);
   require_own_names(s, where);
-  for (auto& list : {windows_between_steps(options), warnings_of_joints(s.equations->joints()),
-                     warnings_of_impact(options)})
+  for (auto& list :
+       {windows_between_steps(options), warnings_of_joints(s.equations->joints()),
+        warnings_of_impact(options),
+        warnings_of_elements(options, mesh, s.body_of_block, s.material, s.formulation)})
     s.warnings.insert(s.warnings.end(), list.begin(), list.end());
   return s;
 }

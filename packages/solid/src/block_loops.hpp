@@ -16,8 +16,8 @@ struct Smallest {
   Local element = -1;
 };
 
-/// Loops over a block's elements. What they read lies in views made once; cell type and material
-/// are picked then, so that a loop knows both as types.
+/// Loops over a block's elements. What they read lies in views made once; cell type, formulation
+/// and material are picked then, so that a loop knows them as types.
 class BlockLoops {
 public:
   virtual ~BlockLoops() = default;
@@ -28,8 +28,15 @@ public:
                         const View<double>& energy) const = 0;
 };
 
-/// Instantiated for each cell type in a source file of its own.
+/// Displacement elements; instantiated for each cell type in a source file of its own.
 template <fem::CellType C>
 std::unique_ptr<BlockLoops> make_block_loops(const CellArrays& cells, const Material& material);
+
+/// With the mean dilatation; the material must be uncoupled (else Defect).
+template <fem::CellType C>
+std::unique_ptr<BlockLoops> make_dilated_loops(const CellArrays& cells, const Material& material);
+
+/// Enhanced hex8.
+std::unique_ptr<BlockLoops> make_enhanced_loops(const CellArrays& cells, const Material& material);
 
 } // namespace abut::solid

@@ -21,35 +21,53 @@ Smallest smallest_over(const char* label, Local elements, const Functor& functor
   return smallest;
 }
 
-template <fem::CellType C, class M> class TypedLoops : public BlockLoops {
+/// E: a kind of elements of kernels/elements.hpp.
+template <class E> class TypedLoops : public BlockLoops {
 public:
-  TypedLoops(const CellArrays& cells, const M& material)
-      : elements_{cells, make_view("abut::solid::reference_cell", 1, reference_cell<C>()),
-                  material} {}
+  explicit TypedLoops(const E& elements) : elements_(elements) {}
 
   Smallest residual(const NodalFields& fields, const ResidualScatter& scatter) const override {
     return smallest_over("abut::solid::residual", elements_.cells.size(),
-                         ElementResidual<C, M>{elements_, fields, scatter});
+                         ElementResidual<E>{elements_, fields, scatter});
   }
   Smallest tangent(const NodalFields& fields, const TangentScatter& scatter) const override {
     return smallest_over("abut::solid::tangent", elements_.cells.size(),
-                         ElementTangent<C, M>{elements_, fields, scatter});
+                         ElementTangent<E>{elements_, fields, scatter});
   }
   void averages(const NodalFields& fields, const View<double>& stress,
                 const View<double>& energy) const override {
     Kokkos::parallel_for("abut::solid::averages", Range(0, elements_.cells.size()),
-                         ElementAverages<C, M>{elements_, fields, stress, energy});
+                         ElementAverages<E>{elements_, fields, stress, energy});
   }
 
 private:
-  Elements<C, M> elements_;
+  E elements_;
 };
+
+template <fem::CellType C> View<const ReferenceCell<C>> cell_table() {
+  return make_view("abut::solid::reference_cell", 1, reference_cell<C>());
+}
 
 template <fem::CellType C>
 std::unique_ptr<BlockLoops> make_block_loops(const CellArrays& cells, const Material& material) {
   return std::visit(
       [&](const auto& m) -> std::unique_ptr<BlockLoops> {
-        return std::make_unique<TypedLoops<C, std::decay_t<decltype(m)>>>(cells, m);
+        using Elements = DisplacementElements<C, std::decay_t<decltype(m)>>;
+        return std::make_unique<TypedLoops<Elements>>(Elements{cells, cell_table<C>(), m});
+      },
+      material);
+}
+
+template <fem::CellType C>
+std::unique_ptr<BlockLoops> make_dilated_loops(const CellArrays& cells, const Material& material) {
+  return std::visit(
+      [&](const auto& m) -> std::unique_ptr<BlockLoops> {
+        using M = std::decay_t<decltype(m)>;
+        if constexpr (M::uncoupled) {
+          using Elements = DilatedElements<C, M>;
+          return std::make_unique<TypedLoops<Elements>>(Elements{cells, cell_table<C>(), m});
+        }
+        throw Defect("the mean dilatation is for uncoupled materials");
       },
       material);
 }

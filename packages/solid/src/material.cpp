@@ -87,6 +87,17 @@ Material make_material(const MaterialOptions& options) {
   return NeoHookean{shear, lambda};
 }
 
+LameConstants at_rest(const Material& material) {
+  return std::visit(
+      [](const auto& m) -> LameConstants {
+        Mat3 stress;
+        double c[6][6];
+        m.tangent(Deformation<double>(Mat3::zero()), stress, c);
+        return {c[3][3], c[0][1]};
+      },
+      material);
+}
+
 double modulus_along(const Material& material, const Vec3& n) {
   return std::visit(
       [&](const auto& m) {

@@ -21,18 +21,29 @@ void require_upright(const mesh::Block& block, const Smallest& smallest) {
   throw SolveError(message.str());
 }
 
+std::unique_ptr<BlockLoops> make_loops(fem::CellType cell, const CellArrays& cells,
+                                       const Material& material, ElementFormulation asked) {
+  const ElementFormulation formulation = element_formulation(asked, cell, material);
+  if (formulation == ElementFormulation::enhanced)
+    return make_enhanced_loops(cells, material);
+  if (formulation == ElementFormulation::mean_dilatation)
+    return cell == fem::CellType::hex8 ? make_dilated_loops<fem::CellType::hex8>(cells, material)
+                                       : make_dilated_loops<fem::CellType::wedge6>(cells, material);
+  return fem::dispatch_cell(
+      cell, [&](auto shape) { return make_block_loops<decltype(shape)::type>(cells, material); });
+}
+
 } // namespace
 
-SolidContribution::SolidContribution(const mesh::Mesh& mesh, int block, const Material& material)
+SolidContribution::SolidContribution(const mesh::Mesh& mesh, int block, const Material& material,
+                                     ElementFormulation formulation)
     : mesh_(mesh), block_(block), material_(material) {
   ABUT_REQUIRE(mesh.dim == 3, "solids are three-dimensional");
   ABUT_REQUIRE(block >= 0 && block < static_cast<int>(mesh.blocks.size()), "no such block");
   CellList cells(mesh);
   cells.add(mesh.blocks[block]);
   connectivity_ = cells.connectivity();
-  loops_ = fem::dispatch_cell(mesh.blocks[block].type, [&](auto shape) {
-    return make_block_loops<decltype(shape)::type>(cells.arrays(), material);
-  });
+  loops_ = make_loops(mesh.blocks[block].type, cells.arrays(), material, formulation);
 }
 
 SolidContribution::~SolidContribution() = default;

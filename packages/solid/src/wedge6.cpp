@@ -5,5 +5,7 @@ namespace abut::solid {
 
 template std::unique_ptr<BlockLoops> make_block_loops<fem::CellType::wedge6>(const CellArrays&,
                                                                              const Material&);
+template std::unique_ptr<BlockLoops> make_dilated_loops<fem::CellType::wedge6>(const CellArrays&,
+                                                                               const Material&);
 
 } // namespace abut::solid

@@ -16,8 +16,8 @@ mesh: {file: m.exo}
 materials:
   soft_one: {young: 10, poisson: 0.3}  # FEBio: soft one, neo-Hookean
 bodies:
-  lower: {blocks: [lower], material: soft_one}
-  upper: {blocks: [upper], material: soft_one}
+  lower: {blocks: [lower], material: soft_one, element: displacement}
+  upper: {blocks: [upper], material: soft_one, element: displacement}
 displacements:
   hold: {set: bottom, fix: [x, y, z]}
   press: {set: top, z: -0.1, curve: LC1}
@@ -95,6 +95,17 @@ TEST(Import, Materials) {
   EXPECT_EQ(material("isotropic elastic", "<E>1</E><v>0.1</v>"),
             "materials:\n  soft_one: {model: saint_venant_kirchhoff, young: 1, poisson: 0.1}  # "
             "FEBio: soft one, isotropic elastic\n");
+}
+
+TEST(Import, Elements) {
+  const std::string deck =
+      scene_with({{5, "<material id=\"1\" name=\"soft one\" type=\"Mooney-Rivlin\"><c1>1</c1>"
+                      "<c2>0</c2><k>100</k></material>"}})
+          .deck;
+  EXPECT_EQ(section(deck, "bodies"),
+            "bodies:\n"
+            "  lower: {blocks: [lower], material: soft_one, element: mean_dilatation}\n"
+            "  upper: {blocks: [upper], material: soft_one, element: mean_dilatation}\n");
 }
 
 TEST(Import, PrescribedWinsOverFixed) {
@@ -186,9 +197,10 @@ TEST(Import, NodesTiedToARigidBodyWithoutElements) {
   const std::string down = "<rigid_bc name=\"d\" type=\"rigid_displacement\"><rb>plate</rb>"
                            "<dof>z</dof><value lc=\"1\">-0.2</value></rigid_bc>";
   const std::string deck = scene("1", down).deck;
-  EXPECT_EQ(section(deck, "bodies"), "bodies:\n"
-                                     "  lower: {blocks: [lower], material: soft_one}\n"
-                                     "  upper: {blocks: [upper], material: soft_one}\n");
+  EXPECT_EQ(section(deck, "bodies"),
+            "bodies:\n"
+            "  lower: {blocks: [lower], material: soft_one, element: displacement}\n"
+            "  upper: {blocks: [upper], material: soft_one, element: displacement}\n");
   EXPECT_EQ(section(deck, "displacements"),
             "displacements:\n"
             "  hold: {set: bottom, fix: [x, y, z]}\n"

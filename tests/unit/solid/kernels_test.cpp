@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Launches of the kernels over cells that share nodes against plain loops over dense arrays.
+#include "formulations.hpp"
 #include "kernels/elements.hpp"
 #include "kernels/inertia.hpp"
 #include "kernels/loads.hpp"
@@ -116,8 +117,26 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
   EXPECT_LE(difference, 1e-13 * largest);
 }
 
-template <CellType C, class M> Elements<C, M> make_elements(const Cells& cells) {
+template <class Elements, class Formulation> struct Kind {};
+
+template <CellType C, class M>
+DisplacementElements<C, M> make_elements(const Cells& cells,
+                                         Kind<DisplacementElements<C, M>, Displacement>) {
   return {cells.arrays(), make_view("table", 1, reference_cell<C>()), some_law<M>()};
+}
+template <CellType C, class M>
+DilatedElements<C, M> make_elements(const Cells& cells,
+                                    Kind<DilatedElements<C, M>, MeanDilatation>) {
+  return {cells.arrays(), make_view("table", 1, reference_cell<C>()), some_law<M>()};
+}
+template <class M>
+EnhancedElements<M> make_elements(const Cells& cells, Kind<EnhancedElements<M>, Enhanced>) {
+  const View<EnhancedReference> reference("reference", std::size_t(cells.count()));
+  Kokkos::parallel_for("abut::test", Range(0, cells.count()),
+                       EnhancedReferences{cells.arrays(),
+                                          make_view("table", 1, reference_cell<CellType::hex8>()),
+                                          at_rest(some_law<M>()), reference});
+  return {cells.arrays(), reference, some_law<M>()};
 }
 
 template <class Functor> SmallestDet::value_type launch(const Cells& cells, const Functor& f) {
@@ -126,27 +145,27 @@ template <class Functor> SmallestDet::value_type launch(const Cells& cells, cons
   return least;
 }
 
-template <CellType C, class M> void check_elements() {
+template <CellType C, class E, class F> void check_elements(Kind<E, F> kind) {
   constexpr int n = ReferenceCell<C>::nodes;
   Cells cells;
   for (int c = 0; c < 30; ++c)
     cells.add(C);
-  const Elements<C, M> elements = make_elements<C, M>(cells);
+  const E elements = make_elements(cells, kind);
   Sums found(cells), expected(cells);
   double least = 1.0;
   for (Local c = 0; c < cells.count(); ++c) {
     double x[3][n], u[3][n], r[3][n];
     std::vector<double> k(9 * n * n);
     cells.gather(c, x, u);
-    least = std::min(least, element_residual<C>(reference_cell<C>(), elements.material, x, u, r));
-    element_tangent<C>(reference_cell<C>(), elements.material, x, u, k.data());
+    least = std::min(least, F::template residual<C>(elements.material, x, u, r));
+    F::template tangent<C>(elements.material, x, u, k.data());
     expected.add_residual(c, [&](Local a, int i) { return r[i][a]; });
     expected.add_tangent(c, [&](Local a, int i, Local b, int j) {
       return k[std::size_t((3 * a + i) * 3 * n + 3 * b + j)];
     });
   }
-  using Residual = ElementResidual<C, M>;
-  using Tangent = ElementTangent<C, M>;
+  using Residual = ElementResidual<E>;
+  using Tangent = ElementTangent<E>;
   EXPECT_EQ(launch(cells, Residual{elements, cells.values(), found.residual()}).val, least);
   EXPECT_EQ(launch(cells, Tangent{elements, cells.values(), found.tangent()}).val, least);
   EXPECT_LT(least, 1.0);
@@ -154,29 +173,34 @@ template <CellType C, class M> void check_elements() {
   expect_same(found.k, expected.k);
 }
 
+template <CellType C, class M> using Plain = Kind<DisplacementElements<C, M>, Displacement>;
+template <CellType C, class M> using Dilated = Kind<DilatedElements<C, M>, MeanDilatation>;
+template <class M> using EnhancedHex = Kind<EnhancedElements<M>, Enhanced>;
+
 TEST(SolidKernels, Elements) {
-  check_elements<CellType::hex8, NeoHookean>();
-  check_elements<CellType::hex8, MooneyRivlin>(); // mean dilatation
-  check_elements<CellType::hex20, SaintVenantKirchhoff>();
-  check_elements<CellType::hex27, HolmesMow>();
-  check_elements<CellType::tet4, NeoHookean>();
-  check_elements<CellType::tet10, Ogden>();
-  check_elements<CellType::wedge6, OgdenUnconstrained>();
+  check_elements<CellType::hex8>(Plain<CellType::hex8, NeoHookean>());
+  check_elements<CellType::hex20>(Plain<CellType::hex20, SaintVenantKirchhoff>());
+  check_elements<CellType::hex27>(Plain<CellType::hex27, HolmesMow>());
+  check_elements<CellType::tet4>(Plain<CellType::tet4, NeoHookean>());
+  check_elements<CellType::tet10>(Plain<CellType::tet10, Ogden>());
+  check_elements<CellType::wedge6>(Plain<CellType::wedge6, OgdenUnconstrained>());
+  check_elements<CellType::hex8>(Dilated<CellType::hex8, MooneyRivlin>());
+  check_elements<CellType::hex8>(EnhancedHex<NeoHookean>());
 }
 
-TEST(SolidKernels, Averages) {
-  constexpr CellType C = CellType::tet10;
+template <CellType C, class E, class F> void check_averages(Kind<E, F> kind) {
+  constexpr int n = ReferenceCell<C>::nodes;
   Cells cells;
   for (int c = 0; c < 30; ++c)
     cells.add(C);
-  const auto elements = make_elements<C, NeoHookean>(cells);
+  const E elements = make_elements(cells, kind);
   const View<double> stress("stress", 180), energy("energy", 30);
   Kokkos::parallel_for("abut::test", Range(0, 30),
-                       ElementAverages<C, NeoHookean>{elements, cells.values(), stress, energy});
+                       ElementAverages<E>{elements, cells.values(), stress, energy});
   for (Local c = 0; c < 30; ++c) {
-    double x[3][10], u[3][10], s[6], w;
+    double x[3][n], u[3][n], s[6], w;
     cells.gather(c, x, u);
-    element_averages<C>(reference_cell<C>(), elements.material, x, u, s, w);
+    F::template averages<C>(elements.material, x, u, s, w);
     EXPECT_EQ(energy(c), w);
     EXPECT_GT(w, 0.0);
     for (int v = 0; v < 6; ++v)
@@ -184,8 +208,13 @@ TEST(SolidKernels, Averages) {
   }
 }
 
-// One element is turned over: the loop names it, and its tangent is left out.
-TEST(SolidKernels, TurnedElement) {
+TEST(SolidKernels, Averages) {
+  check_averages<CellType::tet10>(Plain<CellType::tet10, NeoHookean>());
+  check_averages<CellType::hex8>(Dilated<CellType::hex8, Ogden>());
+  check_averages<CellType::hex8>(EnhancedHex<NeoHookean>());
+}
+
+template <class Hex, class F> void check_turned_element(Kind<Hex, F> kind) {
   constexpr CellType C = CellType::hex8;
   Cells cells;
   cells.u.assign(cells.u.size(), 0.0);
@@ -199,15 +228,20 @@ TEST(SolidKernels, TurnedElement) {
     if (k / 8 != 2)
       cells.node[k] %= 32;
   Sums found(cells);
-  const auto elements = make_elements<C, NeoHookean>(cells);
-  const auto least =
-      launch(cells, ElementTangent<C, NeoHookean>{elements, cells.values(), found.tangent()});
+  const Hex elements = make_elements(cells, kind);
+  const auto least = launch(cells, ElementTangent<Hex>{elements, cells.values(), found.tangent()});
   EXPECT_EQ(least.loc, 2);
   EXPECT_LT(least.val, 0.0);
   for (std::size_t row = 32 * fields; row < size; ++row)
     for (std::size_t column = 0; column < size; ++column)
       ASSERT_EQ(found.k[row * size + column], others);
   EXPECT_NE(found.k[std::size_t(cells.node[0] * fields * (size + 1))], others);
+}
+
+// One element is turned over: the loop names it, and its tangent is left out.
+TEST(SolidKernels, TurnedElement) {
+  check_turned_element(Plain<CellType::hex8, NeoHookean>());
+  check_turned_element(EnhancedHex<NeoHookean>());
 }
 
 constexpr FaceType all_faces[] = {FaceType::quad4, FaceType::quad8, FaceType::quad9, FaceType::tri3,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/core/error.hpp"
-#include "abut/solid/element_kernel.hpp"
 #include "abut/solid/solid_contribution.hpp"
 #include "abut_test/dense_system.hpp"
+#include "formulations.hpp"
 #include "small_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(SolidContribution, ScattersElementResults) {
   for (const CellType type : all_cells)
     for (const int fields : {3, 4}) {
       const mesh::Mesh mesh = two_elements(type, engine);
-      SolidContribution solid(mesh, 0, law);
+      SolidContribution solid(mesh, 0, law, ElementFormulation::displacement);
       EXPECT_EQ(solid.role(), Role::internal);
       EXPECT_TRUE(solid.symmetric());
       abut_test::DenseSystem system(mesh.num_local(), fields);
@@ -66,6 +66,63 @@ TEST(SolidContribution, ScattersElementResults) {
         }
       });
     }
+}
+
+TEST(SolidContribution, TakesTheFormulation) {
+  std::mt19937 engine(3);
+  const mesh::Mesh mesh = two_elements(CellType::hex8, engine);
+  const MooneyRivlin law(1e3, 0.3, 0.2);
+  abut_test::DenseSystem system(mesh.num_local(), 3);
+  system.u = test::random_vector(system.u.size(), 0.05, engine);
+  const auto residual = [&](ElementFormulation formulation) {
+    SolidContribution solid(mesh, 0, law, formulation);
+    system.evaluate(solid, false);
+    return system.residual;
+  };
+  const auto expected = [&](auto formulation) {
+    std::vector<double> result;
+    for (int e = 0; e < 2; ++e) {
+      double x[3][8], u[3][8], r[3][8];
+      for (int a = 0; a < 8; ++a)
+        for (int i = 0; i < 3; ++i) {
+          x[i][a] = mesh.x[3 * (8 * e + a) + i];
+          u[i][a] = system.u[3 * (8 * e + a) + i];
+        }
+      formulation.template residual<CellType::hex8>(law, x, u, r);
+      for (int a = 0; a < 8; ++a)
+        for (int i = 0; i < 3; ++i)
+          result.push_back(r[i][a]);
+    }
+    return result;
+  };
+  const std::vector<double> all[] = {expected(Displacement()), expected(MeanDilatation()),
+                                     expected(Enhanced())};
+  const ElementFormulation formulations[] = {ElementFormulation::displacement,
+                                             ElementFormulation::mean_dilatation,
+                                             ElementFormulation::enhanced};
+  for (int f = 0; f < 3; ++f) {
+    const std::vector<double> found = residual(formulations[f]);
+    double other = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i], all[f][i], 1e-12);
+      other = std::max(other, std::abs(found[i] - all[(f + 1) % 3][i]));
+    }
+    EXPECT_GT(other, 1e-3);
+  }
+}
+
+TEST(SolidContribution, FormulationsThatAreNotThere) {
+  std::mt19937 engine(3);
+  const mesh::Mesh hex8 = two_elements(CellType::hex8, engine);
+  const mesh::Mesh tet4 = two_elements(CellType::tet4, engine);
+  const NeoHookean compressible{0.4, 0.7};
+  const MooneyRivlin uncoupled(1e3, 0.3, 0.2);
+  EXPECT_THROW(SolidContribution(tet4, 0, compressible, ElementFormulation::enhanced), InputError);
+  EXPECT_THROW(SolidContribution(tet4, 0, uncoupled, ElementFormulation::mean_dilatation),
+               InputError);
+  EXPECT_THROW(SolidContribution(hex8, 0, compressible, ElementFormulation::mean_dilatation),
+               InputError);
+  EXPECT_NO_THROW(SolidContribution(hex8, 0, uncoupled, ElementFormulation::mean_dilatation));
 }
 
 TEST(SolidContribution, InvertedElementIsASolveErrorThatNamesIt) {

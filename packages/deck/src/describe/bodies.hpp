@@ -101,6 +101,18 @@ template <class V> void describe(V& v, scene::BodyOptions& o) {
   v.at_least_one({"blocks", "node_sets"});
   v.alternative("material", !o.rigid,
                 [&] { v.required("material", o.material, "name under materials"); });
+  using solid::ElementFormulation;
+  v.choice("element", o.element,
+           {{"automatic", ElementFormulation::automatic,
+             "hex8 with an uncoupled material: mean_dilatation; others: displacement"},
+            {"displacement", ElementFormulation::displacement,
+             "shape functions as they are: hex8, tet4 and wedge6 lock in bending and where "
+             "Poisson's ratio comes near a half"},
+            {"mean_dilatation", ElementFormulation::mean_dilatation,
+             "hex8 and wedge6 of mooney_rivlin or ogden: the volume changes by its mean, and does "
+             "not lock in hex8; bending does"},
+            {"enhanced", ElementFormulation::enhanced, "hex8 that does not lock"}},
+           "how elements of a deformable body follow its nodes");
   v.alternative("rigid", o.rigid, [&] {
     o.rigid = true;
     v.group("rigid", "nodes that move as one, and how they move; {} stands still",
@@ -111,6 +123,8 @@ template <class V> void describe(V& v, scene::BodyOptions& o) {
   v.optional("initial_angular_velocity", o.initial_angular_velocity,
              "for dynamics, about its center of mass; of a rigid body, about its center",
              unit("rad/time"));
+  v.check("element", !o.rigid || o.element == ElementFormulation::automatic,
+          "the elements of a rigid body do not deform");
   v.check("node_sets", o.rigid || o.node_sets.empty(),
           "only a rigid body takes nodes; a deformable one consists of blocks");
 }

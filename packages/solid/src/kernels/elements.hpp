@@ -4,17 +4,96 @@
 #include "abut/core/scatter.hpp"
 #include "abut/solid/cell_arrays.hpp"
 #include "abut/solid/element_kernel.hpp"
+#include "abut/solid/enhanced.hpp"
+#include "abut/solid/mean_dilatation.hpp"
 
-/// Elements of one cell type and one material: gather, evaluate at the points, integrate, scatter.
+/// Elements of one cell type, formulation and material: gather, evaluate, scatter.
+///
+/// Each kind of elements holds what kernels read of the elements of a block, and gives element e's
+/// residual, tangent and averages as element_kernel.hpp says. Copied by value; arrays are shared.
 namespace abut::solid {
 
-/// What kernels read of the elements of a block. Copied by value; the arrays are shared.
-template <fem::CellType C, class M> struct Elements {
+template <fem::CellType C, class M> struct DisplacementElements {
   static constexpr int nodes = ReferenceCell<C>::nodes;
 
   CellArrays cells;
   View<const ReferenceCell<C>> table; ///< one
   M material;
+
+  template <class U> KOKKOS_INLINE_FUNCTION double residual(Local e, const U& u, U& r) const {
+    double x[3][nodes];
+    cells.reference(e, x);
+    return element_residual<C>(table(0), material, x, u, r);
+  }
+  template <class U> KOKKOS_INLINE_FUNCTION double tangent(Local e, const U& u, double* k) const {
+    double x[3][nodes];
+    cells.reference(e, x);
+    return element_tangent<C>(table(0), material, x, u, k);
+  }
+  template <class U>
+  KOKKOS_INLINE_FUNCTION void averages(Local e, const U& u, double* stress, double& energy) const {
+    double x[3][nodes];
+    cells.reference(e, x);
+    element_averages<C>(table(0), material, x, u, stress, energy);
+  }
+};
+
+template <fem::CellType C, class M> struct DilatedElements {
+  static constexpr int nodes = ReferenceCell<C>::nodes;
+
+  CellArrays cells;
+  View<const ReferenceCell<C>> table; ///< one
+  M material;
+
+  template <class U> KOKKOS_INLINE_FUNCTION double residual(Local e, const U& u, U& r) const {
+    double x[3][nodes];
+    cells.reference(e, x);
+    return mean_dilatation_residual<C>(table(0), material, x, u, r);
+  }
+  template <class U> KOKKOS_INLINE_FUNCTION double tangent(Local e, const U& u, double* k) const {
+    double x[3][nodes];
+    cells.reference(e, x);
+    return mean_dilatation_tangent<C>(table(0), material, x, u, k);
+  }
+  template <class U>
+  KOKKOS_INLINE_FUNCTION void averages(Local e, const U& u, double* stress, double& energy) const {
+    double x[3][nodes];
+    cells.reference(e, x);
+    mean_dilatation_averages<C>(table(0), material, x, u, stress, energy);
+  }
+};
+
+template <class M> struct EnhancedElements {
+  static constexpr int nodes = EnhancedReference::nodes;
+
+  CellArrays cells;
+  View<const EnhancedReference> reference; ///< (elements)
+  M material;
+
+  template <class U> KOKKOS_INLINE_FUNCTION double residual(Local e, const U& u, U& r) const {
+    return enhanced_residual(reference(e), material, u, r);
+  }
+  template <class U> KOKKOS_INLINE_FUNCTION double tangent(Local e, const U& u, double* k) const {
+    return enhanced_tangent(reference(e), material, u, k);
+  }
+  template <class U>
+  KOKKOS_INLINE_FUNCTION void averages(Local e, const U& u, double* stress, double& energy) const {
+    enhanced_averages(reference(e), material, u, stress, energy);
+  }
+};
+
+/// What enhanced elements know of their undeformed state.
+struct EnhancedReferences {
+  CellArrays cells;
+  View<const HexTable> table; ///< one
+  LameConstants law;          ///< at rest
+  View<EnhancedReference> reference;
+
+  KOKKOS_INLINE_FUNCTION void operator()(Local e) const {
+    double x[3][EnhancedReference::nodes];
+    cells.reference(e, x);
+    reference(e) = enhanced_reference(table(0), x, law);
+  }
 };
 
 /// The smallest det F of a loop and its element.
@@ -29,17 +108,16 @@ KOKKOS_INLINE_FUNCTION void keep_smallest(double det, Local element,
   least.loc = element;
 }
 
-template <fem::CellType C, class M> struct ElementResidual {
-  Elements<C, M> elements;
+template <class E> struct ElementResidual {
+  E elements;
   NodalFields fields;
   ResidualScatter scatter;
 
   KOKKOS_INLINE_FUNCTION void operator()(Local e, SmallestDet::value_type& least) const {
-    constexpr int n = Elements<C, M>::nodes;
-    double x[3][n], u[3][n], r[3][n], out[3 * n];
-    elements.cells.reference(e, x);
+    constexpr int n = E::nodes;
+    double u[3][n], r[3][n], out[3 * n];
     elements.cells.displacements(e, fields, u);
-    const double det = element_residual<C>(elements.table(0), elements.material, x, u, r);
+    const double det = elements.residual(e, u, r);
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i)
         out[3 * a + i] = r[i][a];
@@ -49,36 +127,32 @@ template <fem::CellType C, class M> struct ElementResidual {
 };
 
 /// Elements that are turned over are left out.
-template <fem::CellType C, class M> struct ElementTangent {
-  Elements<C, M> elements;
+template <class E> struct ElementTangent {
+  E elements;
   NodalFields fields;
   TangentScatter scatter;
 
   KOKKOS_INLINE_FUNCTION void operator()(Local e, SmallestDet::value_type& least) const {
-    constexpr int n = Elements<C, M>::nodes;
-    double x[3][n], u[3][n], k[9 * n * n];
-    elements.cells.reference(e, x);
+    constexpr int n = E::nodes;
+    double u[3][n], k[9 * n * n];
     elements.cells.displacements(e, fields, u);
-    const double det = element_tangent<C>(elements.table(0), elements.material, x, u, k);
+    const double det = elements.tangent(e, u, k);
     if (det > 0.0)
       scatter.add(e, k, 3);
     keep_smallest(det, e, least);
   }
 };
 
-template <fem::CellType C, class M> struct ElementAverages {
-  Elements<C, M> elements;
+template <class E> struct ElementAverages {
+  E elements;
   NodalFields fields;
   View<double> stress; ///< (elements, 6)
   View<double> energy; ///< (elements)
 
   KOKKOS_INLINE_FUNCTION void operator()(Local e) const {
-    constexpr int n = Elements<C, M>::nodes;
-    double x[3][n], u[3][n];
-    elements.cells.reference(e, x);
+    double u[3][E::nodes];
     elements.cells.displacements(e, fields, u);
-    element_averages<C>(elements.table(0), elements.material, x, u, &stress(voigt_size * e),
-                        energy(e));
+    elements.averages(e, u, &stress(voigt_size * e), energy(e));
   }
 };
 

@@ -21,6 +21,7 @@ struct BodyOptions {
   std::vector<std::string> blocks;
   std::vector<std::string> node_sets; ///< a rigid body's, of other bodies' elements too
   std::string material;               ///< empty for a rigid body
+  solid::ElementFormulation element = solid::ElementFormulation::automatic; ///< of deformable ones
   bool rigid = false;
   rigid::MotionOptions motion;              ///< of a rigid body
   std::array<double, 3> initial_velocity{}; ///< for dynamics [length/time]

@@ -9,6 +9,7 @@
 #include "abut/rigid/body.hpp"
 #include "abut/rigid/joint.hpp"
 #include "abut/scene/options.hpp"
+#include "abut/solid/element_formulation.hpp"
 #include "abut/solid/inertia_contribution.hpp"
 #include "abut/solid/material.hpp"
 #include "abut/solid/solid_contribution.hpp"
@@ -23,11 +24,12 @@ namespace abut::scene {
 /// A mesh with all that options say of it, ready to solve.
 struct Scene {
   std::shared_ptr<const mesh::Mesh> mesh;
-  std::vector<int> body_of_block;                       ///< index in Options::bodies
-  std::vector<std::optional<solid::Material>> material; ///< per block; none: rigid
-  std::vector<rigid::Body> rigid_bodies;                ///< in the order of the options
-  std::vector<rigid::Joint> joints;                     ///< in the order of the options
-  std::vector<int> rigid_body_of_node; ///< (N) index of the rigid body it moves with, or -1
+  std::vector<int> body_of_block;                                    ///< index in Options::bodies
+  std::vector<std::optional<solid::Material>> material;              ///< per block; none: rigid
+  std::vector<std::optional<solid::ElementFormulation>> formulation; ///< per block; none: rigid
+  std::vector<rigid::Body> rigid_bodies; ///< in the order of the options
+  std::vector<rigid::Joint> joints;      ///< in the order of the options
+  std::vector<int> rigid_body_of_node;   ///< (N) index of the rigid body it moves with, or -1
   std::vector<assembly::Constraint> constraints;
   std::vector<std::shared_ptr<solid::SolidContribution>> solids;
   std::vector<std::shared_ptr<contact::Interaction>> contacts;

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "abut/solid/material.hpp"
-#include "abut/solid/mean_dilatation.hpp"
 #include "abut/solid/solid_point.hpp"
 #include "abut/solid/tangent_blocks.hpp"
 
-/// One element: from nodal numbers to residual, tangent and averages. No mesh, no allocation.
+/// One displacement element: from nodal numbers to residual, tangent and averages. No mesh, no
+/// allocation.
 ///
 /// Arrays of an element are stored by component first, (3, nodes): the inner loops run over nodes.
 /// Finite strain: r_a = int tau grad N_a dV, k_ab = int (B_a^T c B_b + grad N_a . tau grad N_b I)
 /// dV with spatial gradients over the reference volume V (Bonet and Wood, chapter 9). Small strain:
-/// the same with gradients by X and without the second, geometric term. Uncoupled materials in
-/// hex8: mean_dilatation.hpp.
+/// the same with gradients by X and without the second, geometric term. Elements of other
+/// formulations have headers of their own: mean_dilatation.hpp, enhanced.hpp.
 namespace abut::solid {
 
 /// Internal force r (3, n) of an element. Returns the smallest det F of its points; when that is
@@ -22,8 +22,6 @@ KOKKOS_INLINE_FUNCTION double element_residual(const ReferenceCell<C>& cell, con
                                                const double (&x)[3][ReferenceCell<C>::nodes],
                                                const T (&u)[3][ReferenceCell<C>::nodes],
                                                T (&r)[3][ReferenceCell<C>::nodes]) {
-  if constexpr (has_mean_dilatation<C, M>)
-    return mean_dilatation_residual(cell, material, x, u, r);
   constexpr int n = ReferenceCell<C>::nodes;
   for (int i = 0; i < 3; ++i)
     for (int a = 0; a < n; ++a)
@@ -49,8 +47,6 @@ KOKKOS_INLINE_FUNCTION double element_tangent(const ReferenceCell<C>& cell, cons
                                               const double (&x)[3][ReferenceCell<C>::nodes],
                                               const double (&u)[3][ReferenceCell<C>::nodes],
                                               double* k) {
-  if constexpr (has_mean_dilatation<C, M>)
-    return mean_dilatation_tangent(cell, material, x, u, k);
   constexpr int n = ReferenceCell<C>::nodes;
   TangentBlocks<n> blocks;
   blocks.clear();
@@ -93,8 +89,6 @@ KOKKOS_INLINE_FUNCTION void element_averages(const ReferenceCell<C>& cell, const
                                              const double (&x)[3][ReferenceCell<C>::nodes],
                                              const double (&u)[3][ReferenceCell<C>::nodes],
                                              double stress[6], double& energy) {
-  if constexpr (has_mean_dilatation<C, M>)
-    return mean_dilatation_averages(cell, material, x, u, stress, energy);
   double volume = 0.0;
   energy = 0.0;
   for (int v = 0; v < voigt_size; ++v)

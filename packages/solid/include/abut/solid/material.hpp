@@ -29,6 +29,13 @@ using Material = std::variant<NeoHookean, LinearElastic, SaintVenantKirchhoff, H
 /// Options must be valid, as the deck's rules say (else Defect).
 Material make_material(const MaterialOptions& options);
 
+struct LameConstants {
+  double shear, lambda; ///< [pressure]
+};
+
+/// Of the undeformed state; all laws are isotropic.
+LameConstants at_rest(const Material& material);
+
 /// Young's modulus along the unit vector n in the undeformed state: 1 / (n x n : C^-1 : n x n).
 double modulus_along(const Material& material, const Vec3& n);
 

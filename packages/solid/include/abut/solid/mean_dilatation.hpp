@@ -4,17 +4,14 @@
 #include "abut/solid/solid_point.hpp"
 #include "abut/solid/tangent_blocks.hpp"
 
-/// hex8 with an uncoupled material: the energy of the volume change is taken once, at the mean J of
-/// the element, so that it does not lock when the bulk modulus is large. With v the current and V
-/// the reference volume, and W* the isochoric energy,
+/// Elements of an uncoupled material that take the energy of the volume change once, at the mean J
+/// of the element, so that hex8 does not lock when the bulk modulus is large. With v the current
+/// and V the reference volume, and W* the isochoric energy,
 ///   W_e = int W* dV + V U(v / V),      r_a = int (tau* + p J I) grad N_a dV,  p = U'(v / V)
 /// Its tangent holds, besides the points' terms at this p, U''(v/V) / V b_a (x) b_b with
 /// b_a = int grad N_a dv. Simo, Taylor and Pister, Comput. Methods Appl. Mech. Eng. 51 (1985) 177,
 /// with the pressure and the dilatation eliminated.
 namespace abut::solid {
-
-template <fem::CellType C, class M>
-inline constexpr bool has_mean_dilatation = M::uncoupled&& C == fem::CellType::hex8;
 
 /// An element's points and its mean change of volume.
 template <fem::CellType C, class T> struct DilatedElement {

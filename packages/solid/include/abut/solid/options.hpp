@@ -58,6 +58,14 @@ struct MaterialOptions {
   }
 };
 
+/// What an element makes of its nodes' displacements.
+enum class ElementFormulation {
+  automatic,       ///< hex8 of uncoupled models: mean_dilatation; others: displacement
+  displacement,    ///< strains of the shape functions, at all points
+  mean_dilatation, ///< of uncoupled models: the volume changes by its mean over the element
+  enhanced,        ///< hex8 that locks neither in bending nor near incompressibility
+};
+
 enum class LoadKind {
   traction,   ///< dead force per area of a side set, vector
   pressure,   ///< follower pressure per current area of a side set, positive pushes inwards

@@ -4,6 +4,7 @@
 #include "abut/core/contribution.hpp"
 #include "abut/mesh/mesh.hpp"
 #include "abut/solid/element_fields.hpp"
+#include "abut/solid/element_formulation.hpp"
 #include "abut/solid/material.hpp"
 
 #include <memory>
@@ -16,8 +17,9 @@ class BlockLoops;
 /// displacement; others are left alone.
 class SolidContribution : public Contribution {
 public:
-  /// The mesh must outlive this object.
-  SolidContribution(const mesh::Mesh& mesh, int block, const Material& material);
+  /// The mesh must outlive this object. Throws InputError as element_formulation does.
+  SolidContribution(const mesh::Mesh& mesh, int block, const Material& material,
+                    ElementFormulation formulation = ElementFormulation::automatic);
   ~SolidContribution() override;
 
   const char* name() const override { return "solid"; }

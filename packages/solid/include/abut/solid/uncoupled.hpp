@@ -4,7 +4,7 @@
 #include "abut/solid/deformation.hpp"
 
 /// W = isochoric energy of J^(-1/3) F + U(J) with U = K/2 (ln J)^2, for rubber and tissue that
-/// hardly change their volume. hex8 elements take U at their mean J, see mean_dilatation.hpp.
+/// hardly change their volume. Elements with mean_dilatation.hpp take U at their mean J.
 namespace abut::solid {
 
 /// What every uncoupled law shares. A law derives from it and gives
