@@ -10,15 +10,18 @@ template <class V> void list_state(V& v, SiteIterate& i) {
   v(i.last.pressed, i.last.slips, i.last.line.direction, i.last.line.turning, i.frozen, i.rule,
     i.touching, i.flips);
 }
+template <class V> void list_state(V& v, SiteStart& s) {
+  v(s.overlap, s.shift, s.fit);
+}
 template <class V> void list_state(V& v, PointHistory& h) {
   v(h.multiplier, h.carried, h.anchor, h.anchor_xi, h.rest, h.in_contact, h.torn, h.gap, h.rise,
-    h.overlap, h.path, h.sliding, h.dissipated);
+    h.start, h.path, h.sliding, h.dissipated);
 }
 template <class V> void list_state(V& v, PointIterate& i) {
   v(i.site, i.near, i.near_xi, i.left, i.returns, i.losses);
 }
 template <class V> void list_state(V& v, NodeHistory& h) {
-  v(h.multiplier, h.in_contact, h.gap, h.overlap, h.sliding);
+  v(h.multiplier, h.in_contact, h.gap, h.start, h.sliding);
 }
 
 namespace {
