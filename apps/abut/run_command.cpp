@@ -16,6 +16,7 @@
 #include "abut/core/machine_error.hpp"
 #include "abut/core/trilinos.hpp"
 #include "abut/scene/start_motion.hpp"
+#include "abut/scene/state.hpp"
 #include "abut/scene/supports.hpp"
 #include "abut/scene/tangent_check.hpp"
 #include "abut/solver/assembled_system.hpp"
@@ -139,7 +140,7 @@ struct Outcome {
 /// Raises the load; x and the equations are then those of the last converged step.
 Outcome solve(Model& m, solver::AssembledSystem& system, solver::LinearSolver& linear, Vector& x,
               Progress& progress, Recorder& recorder) {
-  const contact::AugmentationPolicy policy(m.contacts);
+  const contact::AugmentationPolicy policy(m.contacts, [&m] { return scene::energy_of_bodies(m); });
   solver::NewtonOptions options = m.deck.newton;
   options.inexact = options.inexact && policy.allows_loose_solves();
   solver::NewtonSolver newton(linear, options, m.deck.linear.tolerance);

@@ -401,8 +401,8 @@ void Interaction::reject() {
   ++p.state_version;
 }
 
-Augmentation Interaction::augmentation() {
-  return parts_->augmenter.judge();
+Augmentation Interaction::augmentation(const EnergyOfBodies& energy) {
+  return parts_->augmenter.judge(energy);
 }
 
 void Interaction::augment() {

@@ -67,6 +67,8 @@ public:
   void require_consistent() const { joints_.require_consistent(); }
 
   const ResidualMeasure& measure() const { return measure_; }
+  /// Where the last residual was taken, of all local mesh nodes.
+  NodalFields fields() const { return fields(u_); }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
@@ -114,7 +116,6 @@ private:
   NodalFields fields(const std::vector<double>& u) const {
     return {u.data(), dofs_.fields(), time_};
   }
-  NodalFields fields() const { return fields(u_); }
 
   unknowns::DofMap dofs_;
   PhaseTimers& timers_;
