@@ -112,6 +112,16 @@ class PenaltyError(unittest.TestCase):
         self.assertEqual(summary["augmentations"], 0)  # asked for no more than that
         self.assertLess(abs(given * (1 + 30 * 2) - 1), 0.1)
 
+    def test_the_default_is_right_or_says_by_how_much_it_is_not(self):
+        for name, deck in (("stack", lambda **contact: stack(1e-4, **contact)), ("rubber", rubber)):
+            with self.subTest(scene=name):
+                reference = scenes.run(deck(**CONVERGED)).force()[2]
+                error, summary = self.stated(deck())
+                true = 1 - summary["contact"]["pair"]["force"][2] / reference
+                print(f"{name}: off by {true:.4f}, stated {error:.4f}", flush=True)
+                self.assertTrue(true < 0.02 or error > 0.02, (true, error))
+                self.assertLess(max(error / true, true / error), 1.5)
+
     def test_multipliers_left_open(self):
         """What they have not closed counts with the whole pressure, not with what their springs carry."""
         soft = {"enforcement": "augmented_lagrangian", "multipliers": "smoothed", "penalty_factor": 0.1,
