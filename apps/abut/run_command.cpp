@@ -18,6 +18,7 @@
 #include "abut/core/machine_error.hpp"
 #include "abut/core/trilinos.hpp"
 #include "abut/scene/start_motion.hpp"
+#include "abut/scene/state.hpp"
 #include "abut/scene/supports.hpp"
 #include "abut/scene/tangent_check.hpp"
 #include "abut/solver/assembled_system.hpp"
@@ -156,7 +157,7 @@ solver::NewtonOptions newton_options(const Model& m) {
 Outcome solve(Model& m, solver::AssembledSystem& system, solver::NewtonSolver& newton, Vector& x,
               const solver::Standing& from, Progress& progress, Recorder& recorder,
               Checkpoints& checkpoints) {
-  const contact::AugmentationPolicy policy(m.contacts);
+  const contact::AugmentationPolicy policy(m.contacts, [&m] { return scene::energy_of_bodies(m); });
   solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
   const Signals signals;

@@ -7,7 +7,7 @@ import scenes
 
 SUGGESTION = "take 'enforcement: augmented_lagrangian' or a larger penalty_factor"
 CONVERGED = {"enforcement": "augmented_lagrangian", "multipliers": "per_point", "min_augmentations": 8}
-YOUNG, DEPTH, APPROACH = 2.0, 1 / 3, 0.01
+YOUNG, DEPTH, APPROACH, STIFF = 2.0, 1 / 3, 0.01, 2e5
 
 
 def columns(gap=0.0, steps=1, load=None, **contact):
@@ -24,6 +24,15 @@ def columns(gap=0.0, steps=1, load=None, **contact):
     if load:
         del deck["displacements"]["head"]["z"]
         deck["loads"] = {"weight": {"side_set": "upper_top", "traction": [0, 0, -load]}}
+    return deck
+
+
+def stack(approach, **contact):
+    """Stiff blocks without lateral strain, one element deep each."""
+    deck = columns(**contact)
+    deck["mesh"]["generate"].update(lower_divisions=[2, 2, 1], upper_divisions=[3, 3, 1])
+    deck["materials"]["elastic"]["young"] = STIFF
+    deck["displacements"]["head"]["z"] = -approach
     return deck
 
 
@@ -89,6 +98,29 @@ class PenaltyError(unittest.TestCase):
                                                      min_augmentations=3))
                 self.assertLess(error, 1e-3)
                 self.assertFalse(any("off by about" in text for text in summary["warnings"]), summary["warnings"])
+
+    def test_dual_multipliers_of_a_stiff_stack(self):
+        """A gap that is small beside a face is not small beside the way by which stiff bodies come together."""
+        for approach in (1e-7, 1e-4):
+            for formulation in ("facet_on_facet", "sliding_elastic", "node_on_facet"):
+                with self.subTest(approach=approach, formulation=formulation):
+                    error, summary = self.stated(stack(approach, enforcement="augmented_lagrangian", formulation=formulation))
+                    self.assertLess(error, 1e-3)
+                    self.assertAlmostEqual(summary["contact"]["pair"]["force"][2] / (STIFF * approach / 2), 1, delta=4e-3)
+                    self.assertLessEqual(summary["augmentations"], 2)
+        given, summary = self.stated(stack(1e-4, enforcement="augmented_lagrangian", gap_tolerance=1e-3))
+        self.assertEqual(summary["augmentations"], 0)  # asked for no more than that
+        self.assertLess(abs(given * (1 + 30 * 2) - 1), 0.1)
+
+    def test_the_default_is_right_or_says_by_how_much_it_is_not(self):
+        for name, deck in (("stack", lambda **contact: stack(1e-4, **contact)), ("rubber", rubber)):
+            with self.subTest(scene=name):
+                reference = scenes.run(deck(**CONVERGED)).force()[2]
+                error, summary = self.stated(deck())
+                true = 1 - summary["contact"]["pair"]["force"][2] / reference
+                print(f"{name}: off by {true:.4f}, stated {error:.4f}", flush=True)
+                self.assertTrue(true < 0.02 or error > 0.02, (true, error))
+                self.assertLess(max(error / true, true / error), 1.5)
 
     def test_multipliers_left_open(self):
         """What they have not closed counts with the whole pressure, not with what their springs carry."""

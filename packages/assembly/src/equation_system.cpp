@@ -121,7 +121,7 @@ void EquationSystem::prepare(const Vector& x) {
   forces_known_ = residual_known_ = false;
   bodies_.move(std::move(placements));
   joints_.move(std::move(multipliers), time_);
-  if (contributions_.prepare(fields(u_)))
+  if (contributions_.prepare(fields()))
     tangent_.reset();
   bodies_.follow(contributions_.pattern());
   bodies_.move_masses(time_ - motion_.accepted_time());
@@ -161,20 +161,21 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
   if (bodies_.have_unknowns() && !forces_known_) {
     bodies_.clear_forces();
     for (const Force which : {Force::internal, Force::other, Force::inertial})
-      contributions_.residual(which, fields(u_), bodies_);
+      contributions_.residual(which, fields(), bodies_);
     bodies_.sum_forces();
     forces_known_ = true;
   }
   const double weight = mass_alone ? 1.0 : motion_.weight();
   const View<double>& values = tangent_.clear();
-  contributions_.add_tangents(Force::inertial, fields(u_), bodies_, values.data());
+  contributions_.add_tangents(Force::inertial, fields(), bodies_, values.data());
   if (weight != 1.0)
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] *= weight;
   if (!mass_alone) {
-    contributions_.add_tangents(Force::internal, fields(linear_ ? u_accepted_ : u_), bodies_,
-                                values.data());
-    contributions_.add_tangents(Force::other, fields(u_), bodies_, values.data());
+    NodalFields bodies_at = fields();
+    bodies_at.u = (linear_ ? u_accepted_ : u_).data();
+    contributions_.add_tangents(Force::internal, bodies_at, bodies_, values.data());
+    contributions_.add_tangents(Force::other, fields(), bodies_, values.data());
   }
   const PhaseTimers::Scope scope(timers_, Phase::assembly);
   const unknowns::BlockPattern& pattern = contributions_.pattern();
@@ -208,7 +209,7 @@ RCP<const Matrix> EquationSystem::predictor(const Vector& x, Vector& rhs) {
 
 void EquationSystem::add_work(const Vector& x) {
   WorkLedger::State now;
-  now.loads = contributions_.loads(fields(u_), bodies_);
+  now.loads = contributions_.loads(fields(), bodies_);
   bodies_.add_loads(time_, now.loads.data());
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (std::size_t i = 0; i < now.loads.size(); ++i)

@@ -425,8 +425,8 @@ void exchange_state(StateArchive& archive, Interaction& interface, const NodalFi
   ++p.state_version;
 }
 
-Augmentation Interaction::augmentation() {
-  return parts_->augmenter.judge();
+Augmentation Interaction::augmentation(const EnergyOfBodies& energy) {
+  return parts_->augmenter.judge(energy);
 }
 
 void Interaction::augment() {

@@ -136,9 +136,10 @@ void set_friction(Settings& s, const ContactOptions& o) {
     s.friction_map = s.ray() ? FrictionMap::inclined_ray : FrictionMap::incremental;
 }
 
-/// Smoothed multipliers are asked for their change, dual ones for the gap, which theirs closes.
+/// Smoothed multipliers are asked for their change, dual ones for the gap, which theirs closes, and
+/// for what it costs where bodies are stiff.
 void set_augmentation(Settings& s, const ContactOptions& o) {
-  constexpr double change = 1e-2, gap = 1e-3;
+  constexpr double change = 1e-2, gap = 1e-3, error = 1e-3;
   s.uzawa = o.uzawa;
   s.anderson =
       o.friction == 0.0 && !s.anchors() && !o.tension &&
@@ -150,8 +151,11 @@ void set_augmentation(Settings& s, const ContactOptions& o) {
     s.change_tolerance = *o.multiplier_tolerance;
   else if (!s.nodal_law())
     s.change_tolerance = change;
-  else if (!o.gap_tolerance && !o.gap_limit)
+  else if (!o.gap_tolerance && !o.gap_limit) {
     s.gap_tolerance = gap;
+    if (o.uzawa == Uzawa::nested)
+      s.error_tolerance = error;
+  }
   s.min_augmentations = o.min_augmentations;
   s.max_augmentations = o.max_augmentations;
 }
@@ -222,6 +226,7 @@ std::string explain_augmentation(const Settings& s) {
   ask("a change of ", s.change_tolerance, "");
   ask("a penetration of ", s.gap_tolerance, " face sizes");
   ask("a penetration of ", s.length_tolerance, "");
+  ask("a penalty error of ", s.error_tolerance, "");
   return "augmentation: " + std::string(s.anderson ? "of several solves" : "of the last solve") +
          ", to " + asked + ", " + std::to_string(s.min_augmentations) + " to " +
          std::to_string(s.max_augmentations) + " times a step\n";

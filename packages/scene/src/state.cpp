@@ -13,15 +13,29 @@ double initial_energy(const rigid::Joint& joint) {
   return joint.is_spring() ? 0.5 * joint.stiffness * stretch * stretch : 0.0;
 }
 
+double stored(const Scene& m, const std::vector<solid::ElementFields>& elements,
+              const std::vector<rigid::JointState>& joints) {
+  double sum = 0.0;
+  for (const solid::ElementFields& block : elements)
+    sum += block.total_energy();
+  sum = m.mesh->comm.sum(sum);
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    sum += joints[j].energy - initial_energy(m.joints[j]);
+  return sum;
+}
+
+std::vector<solid::ElementFields> element_fields(const Scene& m, const NodalFields& fields) {
+  std::vector<solid::ElementFields> of_block(m.mesh->blocks.size());
+  for (const auto& solid : m.solids)
+    of_block[std::size_t(solid->block())] = solid->element_fields(fields);
+  return of_block;
+}
+
 Energy energy(const Scene& m, const State& s) {
   Energy e;
   const assembly::ExternalWork& work = m.equations->external_work();
   e.work_in = work.loads + work.supports;
-  for (const solid::ElementFields& block : s.elements)
-    e.stored += block.total_energy();
-  e.stored = m.mesh->comm.sum(e.stored);
-  for (std::size_t j = 0; j < s.joints.size(); ++j)
-    e.stored += s.joints[j].energy - initial_energy(m.joints[j]);
+  e.stored = stored(m, s.elements, s.joints);
   for (const auto& c : s.contacts) {
     e.penalty += c.penalty_energy;
     e.friction += c.dissipation;
@@ -59,6 +73,15 @@ void add_motion(const Scene& m, const NodalFields& fields, State& s) {
 
 } // namespace
 
+double energy_of_bodies(const Scene& m) {
+  const NodalFields fields = m.equations->fields();
+  State motion;
+  if (m.inertia)
+    add_motion(m, fields, motion);
+  return stored(m, element_fields(m, fields), m.equations->joints().states()) +
+         motion.energy.kinetic;
+}
+
 State make_state(const Scene& m, const Vector& x, double time, const solver::Counters& counters) {
   State s;
   s.time = time;
@@ -70,9 +93,7 @@ State make_state(const Scene& m, const Vector& x, double time, const solver::Cou
   s.rigid_bodies = m.equations->body_states();
   s.joints = m.equations->joints().states();
   const NodalFields fields{s.u.data(), 3, s.time};
-  s.elements.resize(m.mesh->blocks.size());
-  for (const auto& solid : m.solids)
-    s.elements[std::size_t(solid->block())] = solid->element_fields(fields);
+  s.elements = element_fields(m, fields);
   s.energy = energy(m, s);
   if (m.inertia)
     add_motion(m, fields, s);

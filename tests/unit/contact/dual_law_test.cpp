@@ -147,6 +147,30 @@ TEST_P(DualLaws, AugmentationClosesTheGap) {
   EXPECT_EQ(plates.force(0.0, 0.0, 0.02)[2], 0.0);
 }
 
+/// A gap of 2e-4 of a face that costs 5e-7 of energy.
+TEST(DualGap, IsSmallBesideWhatTheBodiesGive) {
+  ContactOptions o = options(Formulation::facet_on_facet);
+  o.enforcement = Enforcement::augmented_lagrangian;
+  for (const bool given : {false, true}) {
+    if (given)
+      o.gap_tolerance = 1e-3;
+    mesh::Surface upper = grid_surface(2, 2, 0, 1, 0, 1, true, 0);
+    upper.modulus.assign(4, 1e4);
+    upper.inverse_depth.assign(4, 1.0);
+    PhaseTimers timers;
+    Interaction pair(Comm(MPI_COMM_WORLD), upper,
+                     grid_surface(5, 5, -2, 3, -2, 3, false, 9, {}, 100), o, timers);
+    DenseSystem system(9 + 36, 3);
+    for (std::size_t a = 0; a < 9; ++a)
+      system.u[3 * a + 2] = -1e-4;
+    system.evaluate(pair, false);
+    EXPECT_TRUE(pair.augmentation().converged);
+    EXPECT_TRUE(pair.augmentation([] { return 1e-3; }).converged);
+    EXPECT_EQ(pair.augmentation([] { return 1e-4; }).converged, given);
+    EXPECT_TRUE(pair.augmentation([] { return 0.0; }).converged); // nothing elastic to compare with
+  }
+}
+
 TEST_P(DualLaws, UserUpdateSeesNodes) {
   ContactOptions o = options(GetParam());
   o.enforcement = Enforcement::augmented_lagrangian;

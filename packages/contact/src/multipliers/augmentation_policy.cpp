@@ -6,8 +6,9 @@
 
 namespace abut::contact {
 
-AugmentationPolicy::AugmentationPolicy(std::vector<std::shared_ptr<Interaction>> interfaces)
-    : interfaces_(std::move(interfaces)) {
+AugmentationPolicy::AugmentationPolicy(std::vector<std::shared_ptr<Interaction>> interfaces,
+                                       EnergyOfBodies energy)
+    : interfaces_(std::move(interfaces)), energy_(std::move(energy)) {
   for (const auto& i : interfaces_)
     if (i->settings().augmented())
       augmented_.push_back(i.get());
@@ -42,7 +43,7 @@ bool AugmentationPolicy::tear() {
 Augmentation AugmentationPolicy::judge(Interaction& interface, int number,
                                        AugmentationReport& report) const {
   const Settings& settings = interface.settings();
-  const Augmentation a = interface.augmentation();
+  const Augmentation a = interface.augmentation(energy_);
   report.change = std::max(report.change, a.change);
   report.gap = std::max(report.gap, a.gap);
   if (settings.augments_at_end() || !interface.acts())

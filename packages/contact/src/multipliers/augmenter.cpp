@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "multipliers/augmenter.hpp"
 
+#include "report/report.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,7 +104,21 @@ void Augmenter::judge_once(Augmentation& result) {
              result.gap <= o.gap_tolerance && result.length <= o.length_tolerance};
 }
 
-Augmentation Augmenter::judge() {
+/// Whether what tractions leave open is more than it may be beside the energy of the bodies: a gap
+/// that is small beside a face may be large beside the way by which stiff bodies give.
+bool Augmenter::is_soft(const EnergyOfBodies& energy) const {
+  constexpr double rigid = 1e-6; // bodies with less of the energy have no stiffness to compare with
+  if (!energy || !std::isfinite(data_.settings.error_tolerance))
+    return false;
+  const double softness = std::fabs(summarize(data_).softness);
+  if (softness == 0.0)
+    return false;
+  const double of_bodies = std::max(0.0, energy());
+  return of_bodies > rigid * softness &&
+         softness > data_.settings.error_tolerance * (of_bodies + softness);
+}
+
+Augmentation Augmenter::judge(const EnergyOfBodies& energy) {
   Augmentation result;
   judge_once(result);
   if (judged_.settled && !judged_.closed && !increments_ && smoothed()) {
@@ -110,6 +126,8 @@ Augmentation Augmenter::judge() {
     watch_.clear();
     judge_once(result);
   }
+  if (judged_.settled && judged_.closed)
+    judged_.closed = !is_soft(energy);
   result.converged = judged_.settled && judged_.closed;
   result.stalled = watch_.stalled(judged_);
   if (result.stalled || stiffness_factor() >= stiff_factor)
@@ -215,7 +233,7 @@ void Augmenter::take(bool shear) {
 
 void Augmenter::augment() {
   if (!proposed_)
-    judge();
+    judge({});
   watch_.add(judged_, active_set());
   const std::vector<double> pressures = next_pressures();
   for (std::size_t i = 0; i < pressures.size(); ++i)

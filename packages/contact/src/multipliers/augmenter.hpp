@@ -17,7 +17,7 @@ public:
   void set_update(MultiplierUpdate update) { update_ = std::move(update); }
 
   /// What the next multipliers would be in the last evaluated configuration. Collective.
-  Augmentation judge();
+  Augmentation judge(const EnergyOfBodies& energy);
   /// They become the multipliers, of stick and slip alike. Collective.
   void augment();
   /// The state has been evaluated anew: a proposal does not hold any longer.
@@ -44,6 +44,7 @@ private:
   void propose_own();
   void measure_sites(Augmentation& result);
   void judge_once(Augmentation& result);
+  bool is_soft(const EnergyOfBodies& energy) const;
   double relative_change() const;
   double stiffness_factor() const;
   Global active_set() const;

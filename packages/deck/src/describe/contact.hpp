@@ -181,7 +181,8 @@ template <class V> void describe_augmentation(V& v, contact::ContactOptions& o) 
               positive("1"));
   v.number_or("gap_tolerance", o.gap_tolerance, "automatic",
               "augmentation also asks for this largest penetration, in face sizes; automatic: not "
-              "asked, but 1e-3 of dual multipliers without another tolerance",
+              "asked, but 1e-3 of dual multipliers without another tolerance, and then no more "
+              "than costs 1e-3 of the bodies' energy",
               positive("1"));
   v.number_or("gap_limit", o.gap_limit, "none",
               "augmentation also asks for this largest penetration", positive("length"));

@@ -69,6 +69,8 @@ public:
   void require_consistent() const { joints_.require_consistent(); }
 
   const ResidualMeasure& measure() const { return measure_; }
+  /// Where the last residual was taken, of all local mesh nodes.
+  NodalFields fields() const { return {u_.data(), dofs_.fields(), time_}; }
   /// (owned rows, fields) internal minus external force of the last residual, constrained rows
   /// included: there it is the reaction that supports exert on the body.
   const std::vector<double>& raw_residual() const { return raw_residual_; }
@@ -117,9 +119,6 @@ private:
   void assemble_tangent(bool mass_alone);
   RCP<const Matrix> make_matrix();
   void add_work(const Vector& x);
-  NodalFields fields(const std::vector<double>& u) const {
-    return {u.data(), dofs_.fields(), time_};
-  }
 
   unknowns::DofMap dofs_;
   PhaseTimers& timers_;

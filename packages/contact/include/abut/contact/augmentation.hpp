@@ -23,6 +23,10 @@ enum class PlateauCause {
 /// What holds augmentations up and what to do, in plain words; empty for none.
 const char* describe(PlateauCause cause);
 
+/// Energy of the host's bodies where they were last evaluated, of strain and of motion; collective
+/// [energy].
+using EnergyOfBodies = std::function<double()>;
+
 /// What the next augmentation would do.
 struct Augmentation {
   double change = 0.0; ///< relative change of the multipliers, L2 [1]

@@ -26,7 +26,9 @@ struct AugmentationReport {
 /// first. It knows no solver: the host solves, asks, and solves again until it need not.
 class AugmentationPolicy {
 public:
-  explicit AugmentationPolicy(std::vector<std::shared_ptr<Interaction>> interfaces);
+  /// energy: see Interaction::augmentation.
+  explicit AugmentationPolicy(std::vector<std::shared_ptr<Interaction>> interfaces,
+                              EnergyOfBodies energy = {});
 
   /// Whether there is anything to ask after a solve.
   bool is_needed() const { return !augmented_.empty() || may_tear(); }
@@ -45,6 +47,7 @@ private:
   void conclude(AugmentationReport& report);
 
   std::vector<std::shared_ptr<Interaction>> interfaces_;
+  EnergyOfBodies energy_;
   std::vector<Interaction*> augmented_;
   std::set<const Interaction*> warned_; ///< in this step
 };

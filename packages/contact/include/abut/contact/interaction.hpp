@@ -80,8 +80,10 @@ public:
   void accept() override;
   void reject() override;
 
-  /// What the next multipliers would be in the last evaluated configuration. Collective.
-  Augmentation augmentation();
+  /// What the next multipliers would be in the last evaluated configuration. energy: asked for
+  /// where gaps are small beside faces, to tell whether they are beside what the bodies give;
+  /// empty: they are. Collective.
+  Augmentation augmentation(const EnergyOfBodies& energy = {});
   /// They become the multipliers, of stick and slip alike; each site keeps its status until the
   /// next iterate is taken. Collective.
   void augment();

@@ -134,7 +134,8 @@ struct ContactOptions {
   std::optional<double> multiplier_tolerance; ///< relative change of the multipliers; none: 1e-2,
                                               ///< not asked of dual ones [1]
   std::optional<double> gap_tolerance; ///< largest penetration in face sizes; none: not asked, but
-                                       ///< 1e-3 of dual multipliers without a tolerance [1]
+                                       ///< 1e-3 of dual multipliers without a tolerance, whose
+                                       ///< gaps may then cost 1e-3 of the bodies' energy [1]
   std::optional<double> gap_limit;     ///< largest penetration; none: not asked [length]
   int min_augmentations = 0;
   int max_augmentations = 20; ///< at least 1

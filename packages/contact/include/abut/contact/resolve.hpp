@@ -57,10 +57,12 @@ struct Settings {
   double projection_margin = 0.01;
   int segment_updates = std::numeric_limits<int>::max();
 
-  // An augmentation has converged when all three hold; infinity: not asked.
+  // An augmentation has converged when all of these hold; infinity: not asked.
   double change_tolerance = std::numeric_limits<double>::infinity(); ///< [1]
   double gap_tolerance = std::numeric_limits<double>::infinity();    ///< in face sizes [1]
   double length_tolerance = std::numeric_limits<double>::infinity(); ///< [length]
+  double error_tolerance = std::numeric_limits<double>::infinity();  ///< of the penalty: softness
+                                                                     ///< over energy [1]
   int min_augmentations = 0, max_augmentations = 20;
 
   /// Where gaps count from at a site where the meshes have this one at the start [length].

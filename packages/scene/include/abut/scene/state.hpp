@@ -38,6 +38,10 @@ struct State {
   Vec3 momentum = Vec3::zero(), angular_momentum = Vec3::zero(); ///< the latter about the origin
 };
 
+/// Of the bodies where the equations were last evaluated: strain, springs between rigid ones,
+/// motion [energy]. Collective.
+double energy_of_bodies(const Scene& scene);
+
 /// Collective. The equations must have been evaluated at x.
 State make_state(const Scene& scene, const Vector& x, double time,
                  const solver::Counters& counters);
