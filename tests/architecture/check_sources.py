@@ -23,7 +23,7 @@ ALLOWED = {
     "rigid": {"core", "mesh", "unknowns"},
     "assembly": {"core", "mesh", "unknowns", "rigid"},
     "solver": {"core", "mesh", "multigrid", "assembly"},
-    "scene": {"core", "fem", "mesh", "io", "contact", "solid", "unknowns", "rigid", "assembly",
+    "scene": {"core", "fem", "mesh", "search", "io", "contact", "solid", "unknowns", "rigid", "assembly",
               "solver"},
     "translation": {"core"},
     "febio": {"core", "fem", "mesh", "translation"},

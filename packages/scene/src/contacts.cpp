@@ -4,11 +4,13 @@
 #include "abut/contact/option_error.hpp"
 #include "abut/contact/passes.hpp"
 #include "abut/mesh/surface.hpp"
+#include "abut/search/thickness.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace abut::scene {
 
@@ -77,6 +79,14 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
               const std::vector<assembly::Constraint>& constraints, PhaseTimers& timers,
               const Where& where, std::vector<std::string>& warnings) {
   const auto surface = [&](const std::string& name) { return make_surface(mesh, name, materials); };
+  std::optional<search::BodyThickness> thickness; // without contact nobody asks
+  if (!options.contact.empty())
+    thickness.emplace(mesh);
+  const auto side = [&](const std::string& name) {
+    mesh::Surface s = surface(name);
+    s.thickness = thickness->behind(s);
+    return s;
+  };
   contact::HostFacts host;
   host.curve = [&](const std::string& name) { return curve_named(options.curves, name); };
   host.end = options.time.end;
@@ -91,7 +101,7 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
     check_penalty(given, softest, where, warnings);
     try {
       const contact::Passes passes = contact::make_passes(
-          mesh.comm, surface(given.primary), surface(given.secondary), given, timers, host);
+          mesh.comm, side(given.primary), side(given.secondary), given, timers, host);
       result.insert(result.end(), passes.interfaces.begin(), passes.interfaces.end());
       warnings.insert(warnings.end(), passes.warnings.begin(), passes.warnings.end());
     } catch (const contact::OptionError& e) {

@@ -357,6 +357,26 @@ TEST(InteractionOptions, SelfContactOfAFold) {
   }
 }
 
+// The upper side of a plate and the lower side of another one beneath it face each other through
+// both plates. How far that is from contact their thickness tells.
+TEST(InteractionOptions, BacksOfThinBodiesDoNotMeet) {
+  for (const auto formulation :
+       {Formulation::node_on_facet, Formulation::facet_on_facet, Formulation::sliding_elastic})
+    for (const double thickness : {0.1, 0.39, 0.41, 10.0})
+      for (const bool of_primary : {false, true}) {
+        PhaseTimers timers;
+        contact::ContactOptions o = with_penalty(100.0);
+        o.formulation = formulation;
+        auto above = grid_surface(2, 2, 0, 1, 0, 1, false, 0, [](double* x) { x[2] = 0.2; });
+        auto below = grid_surface(2, 2, 0, 1, 0, 1, true, 9, {}, 100);
+        (of_primary ? above : below).thickness.assign(4, thickness);
+        DenseSystem system(18, 3);
+        contact::Interaction pair(Comm(MPI_COMM_WORLD), above, below, o, timers);
+        system.evaluate(pair, false);
+        EXPECT_EQ(pair.summary().active_points > 0, thickness > 0.4) << thickness;
+      }
+}
+
 // With multipliers, a point that came into contact in this step is not pulled back to where the
 // step began: its traction stays while the gap closes. From the next step on it sticks.
 TEST_P(Friction, AugmentationDoesNotUndoTheWayBeforeContact) {

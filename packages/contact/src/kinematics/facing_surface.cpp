@@ -21,7 +21,7 @@ struct FaceRecord {
   Global face_id;
   int type;
   int nodes;
-  double size, modulus, inverse_depth, rise[2];
+  double size, modulus, inverse_depth, thickness, rise[2];
 };
 
 /// Every rank's boxes, one list for each rank.
@@ -81,6 +81,7 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
   in.nodes = comm_.exchange(out.nodes);
   unpack(in);
   fetch(x_previous, view_.x_previous);
+  fetch(own_.x, view_.x_reference);
   update(x_own);
 }
 
@@ -93,6 +94,7 @@ void FacingSurface::pack(Local f, double size, std::size_t rank, std::vector<cha
                              size,
                              own_.modulus[f],
                              own_.inverse_depth[f],
+                             own_.thickness_behind(f),
                              {rise_[std::size_t(2 * f)], rise_[std::size_t(2 * f + 1)]}});
   for (Local a = own_.offset[f]; a < own_.offset[f + 1]; ++a) {
     const Local node = own_.nodes[a];
@@ -136,6 +138,7 @@ void FacingSurface::unpack(const Parcels& in) {
   v.face_size = make_view<double>("abut::contact::facing_size", all.size());
   v.face_modulus = make_view<double>("abut::contact::facing_modulus", all.size());
   v.face_inverse_depth = make_view<double>("abut::contact::facing_inverse_depth", all.size());
+  v.face_thickness = make_view<double>("abut::contact::facing_thickness", all.size());
   v.face_rise = make_view<double>("abut::contact::facing_rise", 2 * all.size());
   std::vector<Local> offset{0}, face_node;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -145,6 +148,7 @@ void FacingSurface::unpack(const Parcels& in) {
     v.face_size(i) = face.size;
     v.face_modulus(i) = face.modulus;
     v.face_inverse_depth(i) = face.inverse_depth;
+    v.face_thickness(i) = face.thickness;
     std::copy_n(face.rise, 2, &v.face_rise(2 * i));
     v.largest_size = std::max(v.largest_size, face.size);
     for (int k = 0; k < face.nodes; ++k)
@@ -156,6 +160,7 @@ void FacingSurface::unpack(const Parcels& in) {
   v.node = make_view("abut::contact::facing_node", node);
   v.x = make_view("abut::contact::facing_x", node.size(), Vec3::zero());
   v.x_previous = make_view("abut::contact::facing_x_previous", node.size(), Vec3::zero());
+  v.x_reference = make_view("abut::contact::facing_x_reference", node.size(), Vec3::zero());
   view_ = v;
   tree_ = {};
 }

@@ -20,7 +20,9 @@ struct FacingView {
   View<Vec3> x, x_previous;        ///< (nodes) now, and at the last converged step [length]
   View<double> face_size;          ///< reference [length]
   View<double> face_modulus;       ///< 0: rigid [pressure]
+  View<Vec3> x_reference;          ///< (nodes) [length]
   View<double> face_inverse_depth; ///< [1/length]
+  View<double> face_thickness;     ///< of the body behind it, see mesh::Surface [length]
   View<double> face_rise;          ///< (faces,2) facet_rises [length]
   double largest_size = 0.0;       ///< of all faces here [length]
   search::Tree<3> tree;            ///< over the faces' boxes
@@ -30,10 +32,14 @@ struct FacingView {
   KOKKOS_INLINE_FUNCTION int nodes(Local face) const { return offset(face + 1) - offset(face); }
   KOKKOS_INLINE_FUNCTION double size(Local face) const { return face_size(face); }
   KOKKOS_INLINE_FUNCTION double inverse_depth(Local face) const { return face_inverse_depth(face); }
-  /// Current coordinates of a face's nodes, and those at the last converged step.
+  KOKKOS_INLINE_FUNCTION double thickness(Local face) const { return face_thickness(face); }
+  /// Coordinates of a face's nodes: current, at the last converged step, in the reference.
   KOKKOS_INLINE_FUNCTION void coordinates(Local face, Vec3* y) const { gather(x, face, y); }
   KOKKOS_INLINE_FUNCTION void previous_coordinates(Local face, Vec3* y) const {
     gather(x_previous, face, y);
+  }
+  KOKKOS_INLINE_FUNCTION void reference_coordinates(Local face, Vec3* y) const {
+    gather(x_reference, face, y);
   }
   KOKKOS_INLINE_FUNCTION Global mesh_node(Local face, int a) const {
     return node(face_node(offset(face) + a));

@@ -6,6 +6,7 @@
 #include "abut/search/ray.hpp"
 #include "kinematics/facing_surface.hpp"
 #include "kinematics/primary_surface.hpp"
+#include "kinematics/through_body.hpp"
 #include "law/constants.hpp"
 
 /// Which secondary face is the partner of a point: the nearest one that the point projects on, or
@@ -14,6 +15,7 @@ namespace abut::contact {
 
 /// What a point looks for: its closest point, or where a line meets the secondary surface.
 struct Query {
+  Local point = -1;
   Local face = -1; ///< primary face of the point
   Vec3 x, normal;  ///< of the primary at the point
   Vec3 x_previous; ///< at the last converged step
@@ -56,6 +58,7 @@ struct PartnerSearch {
   KOKKOS_INLINE_FUNCTION Query query(Local point, const PrimaryPoint<double>& at, Local last,
                                      const double* last_xi) const {
     Query q;
+    q.point = point;
     q.face = primary.face(point);
     q.x = q.origin = at.x;
     q.normal = at.normal;
@@ -141,6 +144,13 @@ private:
     return dot(cross(then.tangent[0], then.tangent[1]), q.x_previous - then.x) >= 0.0;
   }
 
+  /// Whether what the point sees of the face, this deep behind it, is its back.
+  KOKKOS_INLINE_FUNCTION bool through_body(const Query& q, Local candidate, const double xi[2],
+                                           double depth) const {
+    const BodySight sight{primary, facing, q.point, candidate, xi};
+    return sight.beyond_middle(depth, q.x_previous) || (self && sight.through_own(depth));
+  }
+
   /// Whether a face is a partner at a projection at all; its gap along the query's measure and its
   /// normal.
   KOKKOS_INLINE_FUNCTION bool faces(const Query& q, Local candidate, const Vec3* y,
@@ -160,7 +170,7 @@ private:
     if (std::fabs(gap) > fmax(q.reach, reach * facing.size(candidate)) &&
         !crossed(q, candidate, xi, gap))
       return false;
-    return !(self && gap < 0.0 && -gap * facing.inverse_depth(candidate) > own_body_depth);
+    return gap >= 0.0 || !through_body(q, candidate, xi, -gap);
   }
 
   /// A projection within the margin beside a face (the point lies above a concave edge, or just off

@@ -28,8 +28,8 @@ std::vector<double> face_sizes(const mesh::Surface& s) {
   return sizes;
 }
 
-PrimarySurface::PrimarySurface(mesh::Surface surface, const Vec3& origin,
-                               std::optional<int> points, bool nodal)
+PrimarySurface::PrimarySurface(mesh::Surface surface, const Vec3& origin, std::optional<int> points,
+                               bool nodal)
     : surface_(std::move(surface)) {
   for (std::size_t k = 0; k < surface_.x.size(); ++k)
     surface_.x[k] -= origin[static_cast<int>(k % 3)];
@@ -38,6 +38,10 @@ PrimarySurface::PrimarySurface(mesh::Surface surface, const Vec3& origin,
   view_.size = make_view("abut::contact::size", face_sizes(surface_));
   view_.modulus = make_view("abut::contact::modulus", surface_.modulus);
   view_.inverse_depth = make_view("abut::contact::inverse_depth", surface_.inverse_depth);
+  std::vector<double> thickness;
+  for (Local f = 0; f < surface_.num_faces(); ++f)
+    thickness.push_back(surface_.thickness_behind(f));
+  view_.thickness = make_view("abut::contact::thickness", thickness);
   view_.node = make_view("abut::contact::node", surface_.nodes);
   std::vector<Global> global;
   std::vector<Vec3> x;
@@ -49,6 +53,7 @@ PrimarySurface::PrimarySurface(mesh::Surface surface, const Vec3& origin,
   view_.global_node = make_view("abut::contact::global_node", global);
   view_.x = make_view("abut::contact::x", x);
   view_.x_previous = make_view("abut::contact::x_previous", x);
+  view_.x_reference = make_view("abut::contact::x_reference", x);
   reset_stretch();
   make_points(points, nodal);
 }

@@ -14,29 +14,32 @@ namespace abut::contact {
 /// What kernels read of the primary surface: faces (I), their nodes, and the points of all faces
 /// (I,P), one after the other. Copied by value; the arrays are shared.
 struct PrimaryView {
-  View<fem::FaceType> type;  ///< (I)
-  View<Local> first_node;    ///< (I+1) into x, x_previous and node
-  View<Local> first_point;   ///< (I+1)
-  View<Local> first_table;   ///< (I) into the tables of shape functions, of the face's first point
-  View<double> size;         ///< (I) square root of the reference area [length]
-  View<double> modulus;      ///< (I) of the body behind it; 0: rigid [pressure]
+  View<fem::FaceType> type;   ///< (I)
+  View<Local> first_node;     ///< (I+1) into x, x_previous and node
+  View<Local> first_point;    ///< (I+1)
+  View<Local> first_table;    ///< (I) into the tables of shape functions, of the face's first point
+  View<double> size;          ///< (I) square root of the reference area [length]
+  View<double> modulus;       ///< (I) of the body behind it; 0: rigid [pressure]
   View<double> inverse_depth; ///< (I) A/V of the element behind it [1/length]
-  View<double> stretch;      ///< (I) current over reference area that the penalty knows of [1]
-  View<Local> node;          ///< (face nodes) surface nodes
-  View<Global> global_node;  ///< (face nodes) mesh nodes
-  View<Vec3> x, x_previous;  ///< (face nodes) now, and at the last converged step [length]
-  View<Local> face;          ///< (I,P) of each point
-  View<double> weight;       ///< (I,P) of the quadrature [1]
-  View<double> area;         ///< (I,P) weight times reference area [length^2]
-  View<double> table_N;      ///< (table points, max_face_nodes)
-  View<double> table_dN;     ///< (table points, max_face_nodes, 2)
-  View<double> table_xi;     ///< (table points, 2)
+  View<double> thickness;     ///< (I) of the body behind it, see mesh::Surface [length]
+  View<double> stretch;       ///< (I) current over reference area that the penalty knows of [1]
+  View<Local> node;           ///< (face nodes) surface nodes
+  View<Global> global_node;   ///< (face nodes) mesh nodes
+  View<Vec3> x, x_previous;   ///< (face nodes) now, and at the last converged step [length]
+  View<Vec3> x_reference;     ///< (face nodes) [length]
+  View<Local> face;           ///< (I,P) of each point
+  View<double> weight;        ///< (I,P) of the quadrature [1]
+  View<double> area;          ///< (I,P) weight times reference area [length^2]
+  View<double> table_N;       ///< (table points, max_face_nodes)
+  View<double> table_dN;      ///< (table points, max_face_nodes, 2)
+  View<double> table_xi;      ///< (table points, 2)
 
   KOKKOS_INLINE_FUNCTION Local faces() const { return static_cast<Local>(type.extent(0)); }
   KOKKOS_INLINE_FUNCTION Local points() const { return static_cast<Local>(face.extent(0)); }
   KOKKOS_INLINE_FUNCTION int nodes(Local f) const { return first_node(f + 1) - first_node(f); }
   KOKKOS_INLINE_FUNCTION const Vec3* now(Local f) const { return &x(first_node(f)); }
   KOKKOS_INLINE_FUNCTION const Vec3* before(Local f) const { return &x_previous(first_node(f)); }
+  KOKKOS_INLINE_FUNCTION const Vec3* at_rest(Local f) const { return &x_reference(first_node(f)); }
   KOKKOS_INLINE_FUNCTION Local table(Local point) const {
     return first_table(face(point)) + point - first_point(face(point));
   }

@@ -3,6 +3,7 @@
 
 #include "abut/mesh/mesh.hpp"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,16 @@ struct Surface {
   std::vector<double> x;          ///< (surface nodes, dim) reference coordinates [length]
   std::vector<double> modulus;    ///< (faces) E_n of the body along the normal [pressure]; 0: rigid
   std::vector<double> inverse_depth; ///< (faces) A/V of the element behind the face [1/length]
+  std::vector<double>
+      thickness; ///< (faces) of the body behind the face, see search::BodyThickness;
+                 ///< empty: not known, as thick as may be [length]
 
   Local num_faces() const { return static_cast<Local>(type.size()); }
   Local num_nodes() const { return static_cast<Local>(node.size()); }
+  double thickness_behind(Local face) const {
+    return thickness.empty() ? std::numeric_limits<double>::infinity()
+                             : thickness[std::size_t(face)];
+  }
 };
 
 /// The sides of a side set on this rank in the order of their face ids.
@@ -34,5 +42,9 @@ std::vector<Side> sorted_sides(const Mesh& mesh, const std::string& side_set);
 /// The faces of a side set on this rank, in the order of sorted_sides. modulus and inverse_depth
 /// are left zero. The name must be one of the mesh's side sets.
 Surface extract_surface(const Mesh& mesh, const std::string& side_set);
+
+/// The faces on this rank that belong to one element alone, over all ranks: the skin of all bodies.
+/// Collective.
+Surface outer_surface(const Mesh& mesh);
 
 } // namespace abut::mesh
