@@ -183,7 +183,7 @@ class Files(unittest.TestCase):
         self.assertRegex(done.stdout, "warning: no checkpoint: cannot write '.*scene.checkpoint': File too large; the "
                          "one before stays")
         self.assertEqual(file.read_bytes(), before)
-        self.assertFalse(file.with_suffix(".checkpoint.new").exists())
+        self.assertFalse(file.with_suffix(".checkpoint.unfinished").exists())
         warnings = json.loads((first.folder / "second.json").read_text())["warnings"]
         self.assertTrue(any(w.startswith("no checkpoint") for w in warnings), warnings)
 
@@ -197,6 +197,20 @@ class Files(unittest.TestCase):
         self.assertEqual(status, 2)
         self.assertRegex(output, "the checkpoint would overwrite '.*scene.checkpoint', which is a file of another kind")
         self.assertEqual((folder / "scene.checkpoint").read_text(), "notes of mine\n")
+
+    def test_results_have_their_name_once_they_are_whole(self):
+        """What a killed run has left of a file is not in the way; a link is followed, and stays."""
+        (self.folder / "scene.yaml").write_text(json.dumps(DECK))
+        (self.folder / "scene.exo.unfinished").write_bytes(bytes(1000))
+        (self.folder / "elsewhere").mkdir()
+        (self.folder / "scene.exo").symlink_to(self.folder / "elsewhere" / "scene.exo")
+        line = [scenes.EXECUTABLE, "run", str(self.folder / "scene.yaml"), "--quiet", "--output-dir", str(self.folder)]
+        for _ in range(2):  # the link leads nowhere, then to results
+            status, output = scenes.execute(line, 60)
+            self.assertEqual(status, 0, output)
+            self.assertFalse(list(self.folder.rglob("elsewhere/*.unfinished")))
+        self.assertTrue((self.folder / "scene.exo").is_symlink())
+        self.assertEqual(len(scenes.Fields(self.folder / "elsewhere" / "scene.exo").times), 5)
 
     def test_a_signal_leaves_results_checkpoint_and_summary(self):
         deck = scenes.merged(DECK, {"time": {"end": 1.0, "steps": 800}, "output": {"checkpoint": {"every": 1000}}})

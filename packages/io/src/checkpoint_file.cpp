@@ -174,7 +174,7 @@ Checkpoint decoded(const std::string& bytes) {
 } // namespace
 
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
-  Draft draft(path + ".new");
+  Draft draft(path + ".unfinished");
   if (draft.id < 0 || !draft.put(encoded(checkpoint)) ||
       std::rename(draft.path.c_str(), path.c_str()) != 0)
     throw MachineError("cannot write '" + path + "': " + std::strerror(errno));

@@ -5,6 +5,7 @@
 #include "abut/core/machine_error.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -75,6 +76,12 @@ ExodusFile ExodusFile::create(const std::string& path) {
 ExodusFile::~ExodusFile() {
   if (id_ >= 0)
     ex_close(id_);
+}
+
+void ExodusFile::move_to(const std::string& path) {
+  if (std::rename(path_.c_str(), path.c_str()) != 0)
+    throw MachineError("cannot write '" + path + "': " + std::strerror(errno));
+  path_ = path;
 }
 
 void ExodusFile::check(int status, const char* action) const {

@@ -20,6 +20,9 @@ public:
   ExodusFile& operator=(const ExodusFile&) = delete;
   ~ExodusFile();
 
+  /// The open file gets this name, in place of what had it. Throws MachineError.
+  void move_to(const std::string& path);
+
   int id() const { return id_; }
   const std::string& path() const { return path_; }
 

@@ -8,13 +8,25 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 namespace abut::io {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr Global one_file_nodes = 200000;
+
+/// Where the links at a path lead, also where nothing is there yet.
+fs::path linked(fs::path path) {
+  constexpr int most = 40;
+  std::error_code ignored;
+  for (int i = 0; i < most && fs::is_symlink(path, ignored); ++i)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  return path;
+}
 
 /// FILE.04.1 -> the same width for all ranks, as the Exodus tools expect.
 std::string rank_path(const std::string& file, const Comm& comm) {
@@ -88,7 +100,9 @@ struct ResultWriter::Impl {
   int steps = 0;
   double last_time = 0.0;
 
-  void create(const mesh::MeshData& part);
+  void create(const mesh::MeshData& part, const std::vector<Global>& block_counts);
+  void put_header(const std::string& file_path, const mesh::MeshData& part,
+                  const std::vector<Global>& block_counts);
   void require_sizes(const ResultStep& step) const;
   std::vector<std::vector<double>> nodal_values(const ResultStep& step) const;
   std::vector<std::vector<double>> element_values(const ResultStep& step) const;
@@ -96,12 +110,39 @@ struct ResultWriter::Impl {
                 const std::vector<std::vector<double>>& element);
 };
 
-void ResultWriter::Impl::create(const mesh::MeshData& part) {
-  file.emplace(ExodusFile::create(path));
+/// block_counts: elements over all ranks, for a file for each rank.
+void ResultWriter::Impl::put_header(const std::string& file_path, const mesh::MeshData& part,
+                                    const std::vector<Global>& block_counts) {
+  file.emplace(ExodusFile::create(file_path));
   put_mesh(*file, part, longest(names, longest_name(part)));
   for (const mesh::BlockData& b : part.blocks) {
     block_ids.push_back(b.id);
     block_sizes.push_back(static_cast<Local>(b.nodes.size() / fem::info(b.type).nodes));
+  }
+  if (!one)
+    put_parallel_info(*file, mesh, block_counts);
+  if (!part.x.empty()) // Exodus refuses fields where there is nothing to carry them
+    put_names(*file, EX_NODAL, names.nodal);
+  if (part.num_elements() > 0)
+    put_names(*file, EX_ELEM_BLOCK, names.element);
+  put_names(*file, EX_GLOBAL, names.global);
+  file->check(ex_update(file->id()), "write to the disk");
+}
+
+/// A run may be killed at any moment: the file has its name once it can be read as results. Links
+/// are followed, and what is no file is written as it is.
+void ResultWriter::Impl::create(const mesh::MeshData& part,
+                                const std::vector<Global>& block_counts) {
+  const std::string place = linked(path).string(), draft = place + ".unfinished";
+  std::error_code ignored;
+  if (fs::exists(place, ignored) && !fs::is_regular_file(place, ignored))
+    return put_header(place, part, block_counts);
+  try {
+    put_header(draft, part, block_counts);
+    file->move_to(place);
+  } catch (...) {
+    fs::remove(draft, ignored);
+    throw;
   }
 }
 
@@ -135,17 +176,8 @@ ResultWriter::ResultWriter(const std::string& stem, const mesh::Mesh& mesh,
   part.title = stem.substr(stem.find_last_of('/') + 1);
 
   comm.together([&] {
-    if (w.one && !comm.is_root())
-      return;
-    w.create(part);
-    if (!w.one)
-      put_parallel_info(*w.file, mesh, block_counts);
-    if (!part.x.empty()) // Exodus refuses fields where there is nothing to carry them
-      put_names(*w.file, EX_NODAL, names.nodal);
-    if (part.num_elements() > 0)
-      put_names(*w.file, EX_ELEM_BLOCK, names.element);
-    put_names(*w.file, EX_GLOBAL, names.global);
-    w.file->check(ex_update(w.file->id()), "write to the disk");
+    if (!w.one || comm.is_root())
+      w.create(part, block_counts);
   });
 }
 
