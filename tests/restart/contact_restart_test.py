@@ -72,7 +72,7 @@ class Contact(chain.Restarted):
         self.formulation("sliding_elastic")
 
     def test_other_memories(self):
-        """Penalties that are chosen or follow areas, sticky points and ties, two passes, incremental friction."""
+        """Penalties that are chosen or follow areas, sticky points and ties, two passes, overlaps at the start."""
         for label, options in {
                 "chosen factor": {"penalty_factor": "automatic", "enforcement": "augmented_lagrangian",
                                   "multipliers": "smoothed"},
@@ -82,10 +82,14 @@ class Contact(chain.Restarted):
                 "tied": {"tied": True},
                 "augmented at the end": {"enforcement": "augmented_lagrangian", "multipliers": "per_point",
                                          "uzawa": "end_of_step", "friction": 0.3},
+                "overlap": {"initial_overlap": "adjust", "friction": 0.3},
+                "overlap of nodes": {"initial_overlap": "adjust", "friction": 0.3,
+                                     **ENFORCEMENTS["dual"]},
                 "incremental": {"formulation": "sliding_elastic", "friction_map": "incremental",
                                 "friction": 0.3}}.items():
             with self.subTest(label):
-                deck = scenes.merged(with_contact(**options), {})
+                gap = -0.004 if "overlap" in label else 0.0
+                deck = scenes.merged(with_contact(**options), {"mesh": {"generate": {"gap": gap}}})
                 self.pieces_are_the_whole(label, deck)
 
     def test_windows(self):
