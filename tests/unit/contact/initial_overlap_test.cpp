@@ -74,7 +74,7 @@ protected:
     scene.system.evaluate(*scene.pair, false, 0.0);
     scene.system.evaluate(*scene.pair, false, t);
     std::vector<double> list;
-    for (const Site& site : scene.pair->sites())
+    for (const Site& site : scene.pair->points().sites())
       if (site.area > 0.0)
         list.push_back(site.gap);
     return list;
