@@ -171,6 +171,31 @@ TEST(EnhancedHex8, HasNoHourglassModeWithoutStiffnessInHomogeneousStates) {
   }
 }
 
+// The stress of the element is the mean of what its nodal forces hold in balance.
+TEST(EnhancedHex8, StressIsThatOfTheForces) {
+  std::mt19937 engine(11);
+  const NeoHookean law{0.4, 0.7};
+  for (int trial = 0; trial < 5; ++trial) {
+    Nodal x, u, r;
+    distorted(x, engine);
+    const auto random = test::random_vector(size, 0.15, engine);
+    for (int a = 0; a < 8; ++a)
+      for (int i = 0; i < 3; ++i)
+        u[i][a] = random[std::size_t(3 * a + i)];
+    double stress[6], energy;
+    ASSERT_GT(Enhanced::residual<CellType::hex8>(law, x, u, r), 0.0);
+    Enhanced::averages<CellType::hex8>(law, x, u, stress, energy);
+    const EnhancedReference reference = Enhanced::reference(law, x);
+    const Deformation<double> mean(nodal_gradient(u, reference.gradient));
+    for (int v = 0; v < 6; ++v) {
+      double sum = 0.0;
+      for (int a = 0; a < 8; ++a)
+        sum += r[voigt_row[v]][a] * (x[voigt_column[v]][a] + u[voigt_column[v]][a]);
+      EXPECT_NEAR(stress[v], sum / (reference.volume * mean.jacobian()), 1e-13);
+    }
+  }
+}
+
 // The bulk modulus does not enter, on any shape.
 TEST(EnhancedHex8, HourglassModesDoNotLock) {
   const Mat3 rest = Mat3::zero();
