@@ -14,6 +14,23 @@ bool is_uncoupled(const Material& material) {
   return std::visit([](const auto& m) { return m.uncoupled; }, material);
 }
 
+double poisson_at_rest(const Material& material) {
+  const LameConstants law = at_rest(material);
+  return 0.5 * law.lambda / (law.lambda + law.shear);
+}
+
+/// The cheapest that does not lock in volume. Against bending 'enhanced' is asked for by name:
+/// under contact its corners fold before those of 'displacement' invert, and more first steps are
+/// cut.
+ElementFormulation automatic_formulation(CellType cell, const Material& material) {
+  if (is_uncoupled(material))
+    return cell == CellType::hex8 || cell == CellType::wedge6 ? ElementFormulation::mean_dilatation
+                                                              : ElementFormulation::displacement;
+  return cell == CellType::hex8 && poisson_at_rest(material) >= nearly_incompressible
+             ? ElementFormulation::enhanced
+             : ElementFormulation::displacement;
+}
+
 } // namespace
 
 const char* name_of(ElementFormulation formulation) {
@@ -35,8 +52,7 @@ ElementFormulation element_formulation(ElementFormulation asked, CellType cell,
   const std::string of = std::string("; these are ") + fem::info(cell).name;
   switch (asked) {
   case ElementFormulation::automatic:
-    return cell == CellType::hex8 && is_uncoupled(material) ? ElementFormulation::mean_dilatation
-                                                            : ElementFormulation::displacement;
+    return automatic_formulation(cell, material);
   case ElementFormulation::enhanced:
     if (cell != CellType::hex8)
       throw InputError("'enhanced' elements are hex8" + of);
@@ -54,12 +70,10 @@ ElementFormulation element_formulation(ElementFormulation asked, CellType cell,
 }
 
 Locking locking(ElementFormulation formulation, CellType cell, const Material& material) {
-  const LameConstants law = at_rest(material);
-  const double poisson = 0.5 * law.lambda / (law.lambda + law.shear);
   const bool simplex = cell == CellType::tet4 || cell == CellType::wedge6;
   const bool plain =
       formulation == ElementFormulation::displacement && (simplex || cell == CellType::hex8);
-  return {poisson >= nearly_incompressible && (plain || simplex), simplex};
+  return {poisson_at_rest(material) >= nearly_incompressible && (plain || simplex), simplex};
 }
 
 } // namespace abut::solid

@@ -111,6 +111,21 @@ TEST(SolidContribution, TakesTheFormulation) {
   }
 }
 
+TEST(SolidContribution, AutomaticFormulations) {
+  const NeoHookean compressible{0.4, 0.7}, stiff_volume{0.7, 100.0};
+  const MooneyRivlin uncoupled(1e3, 0.3, 0.2);
+  const auto automatic = [](CellType cell, const Material& material) {
+    return element_formulation(ElementFormulation::automatic, cell, material);
+  };
+  EXPECT_EQ(automatic(CellType::hex8, compressible), ElementFormulation::displacement);
+  EXPECT_EQ(automatic(CellType::hex8, stiff_volume), ElementFormulation::enhanced);
+  for (const CellType cell : {CellType::hex8, CellType::wedge6})
+    EXPECT_EQ(automatic(cell, uncoupled), ElementFormulation::mean_dilatation);
+  EXPECT_EQ(automatic(CellType::wedge6, stiff_volume), ElementFormulation::displacement);
+  for (const CellType cell : {CellType::hex20, CellType::hex27, CellType::tet4, CellType::tet10})
+    EXPECT_EQ(automatic(cell, uncoupled), ElementFormulation::displacement);
+}
+
 TEST(SolidContribution, FormulationsThatAreNotThere) {
   std::mt19937 engine(3);
   const mesh::Mesh hex8 = two_elements(CellType::hex8, engine);

@@ -104,7 +104,8 @@ template <class V> void describe(V& v, scene::BodyOptions& o) {
   using solid::ElementFormulation;
   v.choice("element", o.element,
            {{"automatic", ElementFormulation::automatic,
-             "hex8 with an uncoupled material: mean_dilatation; others: displacement"},
+             "hex8 and wedge6 of mooney_rivlin or ogden: mean_dilatation; hex8 of other materials "
+             "where Poisson's ratio is 0.49 or more: enhanced; others: displacement"},
             {"displacement", ElementFormulation::displacement,
              "shape functions as they are: hex8, tet4 and wedge6 lock in bending and where "
              "Poisson's ratio comes near a half"},

@@ -60,7 +60,9 @@ struct MaterialOptions {
 
 /// What an element makes of its nodes' displacements.
 enum class ElementFormulation {
-  automatic,       ///< hex8 of uncoupled models: mean_dilatation; others: displacement
+  /// hex8 and wedge6 of uncoupled models: mean_dilatation; hex8 of others where Poisson's ratio is
+  /// .49 or more: enhanced; else displacement
+  automatic,
   displacement,    ///< strains of the shape functions, at all points
   mean_dilatation, ///< of uncoupled models: the volume changes by its mean over the element
   enhanced,        ///< hex8 that locks neither in bending nor near incompressibility
