@@ -40,16 +40,16 @@ bool Checkpoints::due() {
 bool Checkpoints::write() {
   const PhaseTimers::Scope scope(*model_.timers, Phase::output);
   written_ = std::chrono::steady_clock::now();
-  io::Checkpoint file{ABUT_VERSION,
-                      model_.deck.file,
-                      deck::model_yaml(model_.deck),
-                      model_.mesh_fingerprint,
-                      t_,
-                      step_,
-                      part_,
-                      last_->gathered()};
-  last_.reset();
   try {
+    const io::Checkpoint file{ABUT_VERSION,
+                              model_.deck.file,
+                              deck::model_yaml(model_.deck),
+                              model_.mesh_fingerprint,
+                              t_,
+                              step_,
+                              part_,
+                              last_->gathered()};
+    last_.reset();
     model_.comm.on_root([&] { io::write_checkpoint(path_, file); });
   } catch (const MachineError& e) {
     progress_.warning(std::string("no checkpoint: ") + e.what() + "; the one before stays");

@@ -24,7 +24,7 @@ Recorder::Recorder(const Model& model, const std::string& stem, int part, Progre
 void Recorder::exchange_state(StateArchive& archive, const Vector& x) {
   double kinetic_at_start = state_.energy.kinetic_at_start;
   archive.numbers("results", [&](auto& v) {
-    v(counters_, augmentations_, kinetic_at_start);
+    v(counters_, augmentations_, kinetic_at_start, written_);
     watch_.list_state(v);
     penalty_.list_state(v);
   });
@@ -32,7 +32,6 @@ void Recorder::exchange_state(StateArchive& archive, const Vector& x) {
     return;
   state_ = scene::make_state(model_, x, model_.equations->time(), counters_);
   state_.energy.kinetic_at_start = kinetic_at_start;
-  written_ = state_.time;
 }
 
 void Recorder::step(const solver::StepReport& report, const Vector& x) {

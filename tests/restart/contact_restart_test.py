@@ -55,7 +55,7 @@ class Contact(chain.Restarted):
                     whole = self.pieces_are_the_whole(
                         f"{name} {enforcement} mu {friction:g}",
                         with_contact(formulation=name, friction=friction, **options))
-                    if friction == 0.0:
+                    if friction == 0.0 and name != "sliding_elastic":  # whose tangent is not symmetric
                         self.assertGreater(whole.summary["extrapolated_steps"], 0)
                     if friction == 0.3:
                         self.assertGreater(whole.contact()["max_slip"], 1e-3)

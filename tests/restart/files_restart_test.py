@@ -131,6 +131,12 @@ class Files(unittest.TestCase):
         self.refused(self.bytes, r"it is at t = 0.5, and the run ends at time.end = 0.5: nothing is left to do but",
                      {"time": {"end": 0.5, "steps": 4}})
 
+    def test_what_grows_until_the_end_holds_it(self):
+        """An interference without a curve is whole at time.end; another end would take part of it back."""
+        fit = {"contact": {"pair": {"interference": 0.001}}}
+        first = scenes.run(scenes.merged(DECK, fit))
+        self.refused(chain.checkpoint(first).read_bytes(), "it is of another model .*'end: 0.5' where this deck has", fit)
+
     def test_steps_solvers_and_output_may_differ(self):
         result = self.restarted(self.bytes, {
             "title": "later", "time": {"end": 0.75, "steps": 12, "max_cuts": 3}, "newton": {"tolerance": 1e-9},

@@ -254,6 +254,7 @@ void EquationSystem::exchange_state(StateArchive& archive, Vector& x) {
 }
 
 void EquationSystem::reject() {
+  begin_solve(SolveKind::newton); // what failed may have been a solve on the way
   contributions_.reject();
   prepared_ = false;
 }

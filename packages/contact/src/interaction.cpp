@@ -317,7 +317,7 @@ bool Interaction::overloaded() const {
 }
 
 bool Interaction::lands() const {
-  return bool(parts_->data.nodal);
+  return parts_->data.nodal && parts_->data.acts;
 }
 
 void Interaction::residual(const NodalFields&, const ResidualScatter& scatter) {
@@ -360,6 +360,10 @@ void Interaction::begin_solve(SolveKind kind) {
   p.state_version += kind != p.solve;
   if (p.from_afar())
     restart_search(p.data);
+  if (kind == SolveKind::landing) { // what failed has nothing to tell
+    drop_step(p.data);
+    p.step_iterates = 0;
+  }
   p.solve = kind;
   p.iterates = 0;
 }

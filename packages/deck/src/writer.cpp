@@ -72,9 +72,10 @@ std::string model_yaml(const Deck& deck) {
   static_cast<scene::Options&>(model) = deck;
   model.time = {};
   if (std::any_of(deck.contact.begin(), deck.contact.end(), [](const contact::ContactOptions& c) {
-        return c.initial_overlap == contact::InitialOverlap::resolve;
+        return c.initial_overlap == contact::InitialOverlap::resolve ||
+               (c.interference && c.interference_curve.empty());
       }))
-    model.time.end = deck.time.end; // it is pushed out until then
+    model.time.end = deck.time.end; // it is pushed out, or has grown, then
   return to_yaml(model);
 }
 

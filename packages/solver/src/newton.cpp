@@ -135,7 +135,7 @@ NewtonResult NewtonSolver::solve(NonlinearSystem& system, Vector& x,
   }
   const auto& last = dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getX());
   Tpetra::deep_copy(x, *tpetra_vector(last.getThyraRCPVector()));
-  if (!step_start_.is_null())
+  if (!step_start_.is_null() && test->result().converged)
     largest_work_ = test->largest_work();
   return test->result();
 }

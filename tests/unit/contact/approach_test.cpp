@@ -70,8 +70,8 @@ TEST_P(Approach, HasPointsOnSpringsAsSoftAsTheBodiesUntilItEnds) {
 TEST_P(Approach, LandsWithTheLawAtPointsOnItsOwnSprings) {
   const bool nodal = std::get<0>(GetParam()) == Multipliers::dual;
   const auto s = scene(40.0 * soft), same = at_points(40.0 * soft);
-  EXPECT_EQ(s->pair->lands(), nodal);
   const std::vector<double> before = residual(*s);
+  EXPECT_EQ(s->pair->lands(), nodal);
   s->pair->begin_solve(SolveKind::landing);
   const std::vector<double> during = residual(*s), expected = residual(*same);
   double most = 0.0;
@@ -81,7 +81,9 @@ TEST_P(Approach, LandsWithTheLawAtPointsOnItsOwnSprings) {
   }
   EXPECT_EQ(most > 1e-3, nodal);
   s->pair->begin_solve(SolveKind::newton);
-  EXPECT_TRUE(same_values(residual(*s), before));
+  const std::vector<double> after = residual(*s); // the search has started anew
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_NEAR(after[i], before[i], 1e-13);
 }
 
 TEST_P(Approach, EvaluationElsewhereLeavesNoTrace) {

@@ -42,6 +42,7 @@ private:
     const PointIterate& iterate = points.iterate(i);
     const Local last = iterate.near >= 0 ? search.facing.find(iterate.near) : -1;
     Query q = search.query(i, at, last, iterate.near_xi);
+    q.was_in_contact = points.converged(i).in_contact;
     if (terms.search_hold > 0.0)
       q.hold = terms.search_hold;
     else if (!q.line && iterate.returns >= swings)

@@ -16,9 +16,10 @@ namespace abut::contact {
 /// What a point looks for: its closest point, or where a line meets the secondary surface.
 struct Query {
   Local point = -1;
-  Local face = -1; ///< primary face of the point
-  Vec3 x, normal;  ///< of the primary at the point
-  Vec3 x_previous; ///< at the last converged step
+  Local face = -1;             ///< primary face of the point
+  Vec3 x, normal;              ///< of the primary at the point
+  Vec3 x_previous;             ///< at the last converged step
+  bool was_in_contact = false; ///< then: it has come in by the side that it meets
   bool line = false;
   Vec3 origin, direction; ///< of the line
   double reach = 0.0;     ///< of the point; a large secondary face may reach further [length]
@@ -148,7 +149,8 @@ private:
   KOKKOS_INLINE_FUNCTION bool through_body(const Query& q, Local candidate, const double xi[2],
                                            double depth) const {
     const BodySight sight{primary, facing, q.point, candidate, xi};
-    return sight.beyond_middle(depth, q.x_previous) || (self && sight.through_own(depth));
+    return (!q.was_in_contact && sight.beyond_middle(depth, q.x_previous)) ||
+           (self && sight.through_own(depth));
   }
 
   /// Whether a face is a partner at a projection at all; its gap along the query's measure and its
