@@ -9,12 +9,13 @@ namespace abut::app {
 
 Recorder::Recorder(const Model& model, const std::string& stem, int part, Progress& progress,
                    const Vector& x)
-    : model_(model), progress_(progress), state_(scene::make_state(model, x, 0.0, {})),
+    : model_(model), progress_(progress),
       writer_(stem, *model.mesh, scene::result_names(model), model.deck.output.files, part) {
   if (model.deck.output.points)
     points_.emplace(model, stem + io::part_suffix(part));
   if (part > 1)
     return;
+  state_ = scene::make_state(model, x, 0.0, {});
   state_.energy.kinetic_at_start = state_.energy.kinetic;
   watch_.look(state_);
   penalty_.look(state_);

@@ -146,19 +146,16 @@ struct Outcome {
   }
 };
 
-solver::NewtonOptions newton_options(const Model& m) {
+solver::NewtonOptions newton_options(const Model& m, const contact::AugmentationPolicy& policy) {
   solver::NewtonOptions options = m.deck.newton;
-  options.inexact =
-      options.inexact && contact::AugmentationPolicy(m.contacts).allows_loose_solves();
+  options.inexact = options.inexact && policy.allows_loose_solves();
   return options;
 }
 
 /// Raises the load; x and the equations are then those of the last converged step.
-Outcome solve(Model& m, solver::AssembledSystem& system, solver::NewtonSolver& newton, Vector& x,
-              const solver::Standing& from, Progress& progress, Recorder& recorder,
+Outcome solve(Model& m, solver::AssembledSystem& system, solver::AugmentedLagrangian& loop,
+              Vector& x, const solver::Standing& from, Progress& progress, Recorder& recorder,
               Checkpoints& checkpoints) {
-  const contact::AugmentationPolicy policy(m.contacts, [&m] { return scene::energy_of_bodies(m); });
-  solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
   const Signals signals;
   Vector last(x, Teuchos::Copy);
@@ -177,7 +174,7 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::NewtonSolver& n
         from,
         [&](const solver::Standing& standing) {
           if (checkpoints.step(standing))
-            newton.linear().forget(); // as a run does that starts here
+            loop.newton().linear().forget(); // as a run does that starts here
         });
   } catch (const MachineError& e) {
     outcome.end_by(e);
@@ -318,7 +315,9 @@ int run(const RunOptions& options) {
       solver::make_linear_solver(m.deck.linear, system, progress.sink(), m.timers.get());
   if (m.deck.dynamics.active)
     scene::start_motion(m.deck, m, *linear, x);
-  solver::NewtonSolver newton(*linear, newton_options(m), m.deck.linear.tolerance);
+  const contact::AugmentationPolicy policy(m.contacts, [&m] { return scene::energy_of_bodies(m); });
+  solver::NewtonSolver newton(*linear, newton_options(m, policy), m.deck.linear.tolerance);
+  solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
   Recorder recorder(m, stem, part, progress, x);
   const ExchangeState exchange = owners_of_state(m, newton, x, recorder);
   solver::Standing standing;
@@ -327,7 +326,7 @@ int run(const RunOptions& options) {
     progress.go_on(standing.counters.steps, standing.t);
   }
   Checkpoints checkpoints(m, checkpoint_path(stem), part, exchange, progress);
-  Outcome outcome = solve(m, system, newton, x, standing, progress, recorder, checkpoints);
+  Outcome outcome = solve(m, system, loop, x, standing, progress, recorder, checkpoints);
   write_last(recorder, outcome);
   if (!outcome.result.converged)
     checkpoints.finish();

@@ -7,8 +7,8 @@ iterations and seconds. The reference is the exact force where there is one, els
 same mesh, closed with eight augmentations or more.
 """
 import argparse
-import math
 
+import cold_start_test
 import scenes
 
 WAYS = {
@@ -44,7 +44,7 @@ def stiff_stack(**contact):
 
 
 def rubber(**contact):
-    """Nearly incompressible, squeezed by a third, with friction."""
+    """Nearly incompressible, squeezed by 30 %, with friction."""
     deck = pressed((1, 1, 1), (6, 6, 4), 1.8, {"model": "mooney_rivlin", "c1": 0.5, "bulk": 1000},
                    ((12, 12, 1), (10, 10, 6)), friction=0.3, **contact)
     deck["bodies"]["lower"] = {"blocks": ["lower"], "rigid": {}}
@@ -53,18 +53,7 @@ def rubber(**contact):
 
 
 def cylinders(**contact):
-    core = 1.2 * math.sqrt(0.5 * 0.005)
-    fixed = {"symmetry": ["x0", "x"], "front": ["y0", "y"], "back": ["y1", "y"], "bottom": ["lower_bottom", "z"]}
-    displacements = {name: {"set": where, "fix": [axis]} for name, (where, axis) in fixed.items()}
-    displacements["top"] = {"set": "upper_top", "z": -0.01}
-    return {
-        "mesh": {"generate": {"kind": "two_cylinders", "core": core, "upper_facets": 7, "lower_facets": 4,
-                              "growth": 1.4, "thickness": core / 7}},
-        "materials": {"elastic": {"model": "neo_hookean", "young": 1, "poisson": 0.3}},
-        "bodies": {name: {"blocks": [name], "material": "elastic"} for name in ("upper", "lower")},
-        "displacements": displacements,
-        "contact": {"pair": {"primary": "upper_contact", "secondary": "lower_contact", **contact}},
-    }
+    return cold_start_test.deck(0.005, 12, **contact)
 
 
 def sphere(**contact):

@@ -4,6 +4,7 @@
 Steps are eighths, so that the ends of the pieces are the very times of the whole run. A piece ends where
 `time.end` says, and leaves a checkpoint there as every run does that is asked for any.
 """
+import json
 import unittest
 
 import numpy
@@ -33,6 +34,11 @@ def in_pieces(deck, ranks=(1, 1, 1, 1), stops=STOPS, **options):
 
 def checkpoint(result):
     return next((result.folder / "results").glob("*.checkpoint"))
+
+
+def facts(file):
+    """What a checkpoint says of itself."""
+    return json.loads(file.read_bytes().split(b"\n", 2)[1])
 
 
 def difference(a, b, names):

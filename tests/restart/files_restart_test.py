@@ -162,7 +162,7 @@ class Files(unittest.TestCase):
         for every in (3, 1000):
             deck = scenes.merged(DECK, {"output": {"checkpoint": {"every": every}}})
             result = scenes.run(deck)
-            found.append(json.loads(chain.checkpoint(result).read_bytes().split(b"\n", 2)[1])["step"])
+            found.append(chain.facts(chain.checkpoint(result))["step"])
         self.assertEqual(found, [4, 4])
         result = scenes.run(scenes.merged(DECK, {"output": {"checkpoint": {"every": None, "minutes": 1e-6}}}))
         self.assertTrue(chain.checkpoint(result).is_file())
@@ -209,13 +209,17 @@ class Files(unittest.TestCase):
         (self.folder / "scene.yaml").write_text(json.dumps(DECK))
         (self.folder / "scene.exo.unfinished").write_bytes(bytes(1000))
         (self.folder / "elsewhere").mkdir()
-        (self.folder / "scene.exo").symlink_to(self.folder / "elsewhere" / "scene.exo")
+        names = ("scene.exo", "scene.checkpoint")
+        for name in names:
+            (self.folder / name).symlink_to(self.folder / "elsewhere" / name)
         line = [scenes.EXECUTABLE, "run", str(self.folder / "scene.yaml"), "--quiet", "--output-dir", str(self.folder)]
         for _ in range(2):  # the link leads nowhere, then to results
             status, output = scenes.execute(line, 60)
             self.assertEqual(status, 0, output)
             self.assertFalse(list(self.folder.rglob("elsewhere/*.unfinished")))
-        self.assertTrue((self.folder / "scene.exo").is_symlink())
+        for name in names:
+            self.assertTrue((self.folder / name).is_symlink())
+        self.assertEqual(chain.facts(self.folder / "elsewhere" / "scene.checkpoint")["step"], 4)
         self.assertEqual(len(scenes.Fields(self.folder / "elsewhere" / "scene.exo").times), 5)
 
     def test_a_signal_leaves_results_checkpoint_and_summary(self):
@@ -238,7 +242,7 @@ class Files(unittest.TestCase):
                 self.assertEqual(summary["status"], "stopped")
                 self.assertIn(f"ended by signal {int(number)}", summary["reason"])
                 self.assertGreaterEqual(summary["steps"], 5)
-                facts = json.loads((folder / "scene.checkpoint").read_bytes().split(b"\n", 2)[1])
+                facts = chain.facts(folder / "scene.checkpoint")
                 self.assertEqual((facts["t"], facts["step"]), (summary["t"], summary["steps"]))
                 self.assertEqual(scenes.Fields(folder / "scene.exo").times[-1], summary["t"])
                 done = subprocess.run([*line[:3], "--quiet", "--restart", str(folder / "scene.checkpoint"),

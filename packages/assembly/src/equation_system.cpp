@@ -172,8 +172,7 @@ void EquationSystem::assemble_tangent(bool mass_alone) {
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] *= weight;
   if (!mass_alone) {
-    NodalFields bodies_at = fields();
-    bodies_at.u = (linear_ ? u_accepted_ : u_).data();
+    const NodalFields bodies_at{(linear_ ? u_accepted_ : u_).data(), dofs_.fields(), time_};
     contributions_.add_tangents(Force::internal, bodies_at, bodies_, values.data());
     contributions_.add_tangents(Force::other, fields(), bodies_, values.data());
   }

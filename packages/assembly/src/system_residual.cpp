@@ -51,15 +51,13 @@ void EquationSystem::sum_forces() {
   std::vector<double>& rates = motion_.clear_rates(owned);
   bodies_.clear_forces();
   norms_ = {};
-  NodalFields accepted = fields();
-  accepted.u = u_accepted_.data();
+  const NodalFields accepted{u_accepted_.data(), dofs_.fields(), time_};
   for (const Force which : {Force::internal, Force::other, Force::inertial}) {
     if (which == Force::inertial && !motion_.active())
       break;
-    std::vector<double> buffer =
-        which == Force::internal && linear_
-            ? contributions_.linear_residual(accepted, fields(), bodies_)
-            : contributions_.residual(which, fields(), bodies_);
+    std::vector<double> buffer = which == Force::internal && linear_
+                                     ? contributions_.linear_residual(accepted, fields(), bodies_)
+                                     : contributions_.residual(which, fields(), bodies_);
     const PhaseTimers::Scope scope(timers_, Phase::assembly);
     contributions_.pattern().add_shared_residual(buffer.data());
     if (which == Force::other)

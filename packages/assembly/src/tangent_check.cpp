@@ -47,8 +47,7 @@ private:
   std::vector<double> tangent_times_direction(std::size_t part) {
     Contributions& contributions = equations_.contributions_;
     const View<double>& values = equations_.tangent_.clear();
-    contributions.add_tangent_of(part, equations_.fields(), equations_.bodies_,
-                                 values.data());
+    contributions.add_tangent_of(part, equations_.fields(), equations_.bodies_, values.data());
     contributions.pattern().add_shared_values(values.data());
     return equations_.tangent_.times(d_);
   }
@@ -61,8 +60,8 @@ private:
       moved.assign(x_);
       moved.update(side * step, d_, 1.0);
       equations_.prepare(moved);
-      const std::vector<double> r = equations_.contributions_.residual_of(
-          part, equations_.fields(), equations_.bodies_);
+      const std::vector<double> r =
+          equations_.contributions_.residual_of(part, equations_.fields(), equations_.bodies_);
       slope.resize(r.size(), 0.0);
       for (std::size_t i = 0; i < r.size(); ++i)
         slope[i] += side * r[i] / (2.0 * step);

@@ -1,65 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "abut/contact/interaction.hpp"
-
 #include "abut/core/error.hpp"
-#include "history/exchange.hpp"
-#include "history/nearest_hold.hpp"
 #include "history/steps.hpp"
+#include "interaction_parts.hpp"
 #include "kernels/node_tangent.hpp"
 #include "kernels/pair_forces.hpp"
 #include "kernels/read_points.hpp"
-#include "multipliers/augmenter.hpp"
+#include "multipliers/sites.hpp"
 #include "report/report.hpp"
 #include "spaces/prescribed.hpp"
 
 #include <algorithm>
 
 namespace abut::contact {
-
-struct Interaction::Parts {
-  Parts(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
-        const ContactOptions& options, PhaseTimers& phase_timers, double share)
-      : data(comm, std::move(primary), std::move(secondary), options, share), augmenter(data),
-        timers(phase_timers) {}
-
-  /// What the settings say at the present time.
-  void set_terms(double time);
-  /// Outside of its window: no partners, no forces. What the points remember stays until a step of
-  /// this kind is accepted, for it may yet be cut.
-  void rest();
-  /// Partners, readings and the law, at points or nodes.
-  void evaluate_sites();
-  bool may_hold() const { return hold.is_asked_for() && !established; }
-  /// Whether the solve under way is one in which nearest points hold what nothing else does.
-  bool seeks_hold() const {
-    return may_hold() && (solve == SolveKind::prediction || solve == SolveKind::approach);
-  }
-  /// Whether the solve under way leads to where the next one starts.
-  bool from_afar() const { return solve == SolveKind::approach || solve == SolveKind::landing; }
-  void build_pairs();
-  void add_node_rows(const NodeRowArrays& rows) const;
-
-  InterfaceData data;
-  Augmenter augmenter;
-  PhaseTimers& timers;
-  std::function<double(double)> penalty_schedule, friction_schedule, interference_schedule;
-  NormalLaw normal_law;
-  double end = 1.0; ///< t at which an initial overlap is resolved and an interference whole
-  bool exact_tangent = false;
-  NearestHold hold; ///< see Interaction::hold_by_nearest
-
-  PairArrays pairs;
-  NodeCells node_cells;
-  Connectivity connectivity;
-  mutable Connectivity candidates;
-  long connectivity_version = 0, state_version = 0;
-
-  bool started = false;                ///< the points have their history
-  bool established = false;            ///< some point was in contact at the last converged step
-  SolveKind solve = SolveKind::newton; ///< under way
-  int iterates = 0;                    ///< taken in this solve
-  int step_iterates = 0;               ///< taken in this step
-};
 
 Interaction::Interaction(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
                          ContactOptions options, PhaseTimers& timers, double share)
@@ -348,104 +300,6 @@ void Interaction::tangent(const NodalFields&, const TangentScatter& scatter) {
     throw SolveError("contact." + o.name + ": " + std::to_string(singular) +
                      " points lie at the centre of curvature of '" + data.place.secondary().name +
                      "', or their ray runs along it");
-}
-
-void Interaction::begin_step() {
-  parts_->state_version += parts_->data.terms.search_hold > 0.0;
-  parts_->step_iterates = 0;
-}
-
-void Interaction::begin_solve(SolveKind kind) {
-  Parts& p = *parts_;
-  p.state_version += kind != p.solve;
-  if (p.from_afar())
-    restart_search(p.data);
-  if (kind == SolveKind::landing) { // what failed has nothing to tell
-    drop_step(p.data);
-    p.step_iterates = 0;
-  }
-  p.solve = kind;
-  p.iterates = 0;
-}
-
-void Interaction::iterate_taken() {
-  Parts& p = *parts_;
-  if (p.data.acts)
-    take_iterate(p.data, p.step_iterates == 0);
-  if (p.seeks_hold())
-    p.hold.take_iterate(p.data.terms.law, p.iterates == 0);
-  p.step_iterates += !p.from_afar();
-  ++p.iterates;
-  ++p.state_version;
-}
-
-void Interaction::accept() {
-  Parts& p = *parts_;
-  if (!p.data.acts && p.started) {
-    forget_history(p.data);
-    p.augmenter.restart();
-    p.started = false;
-  }
-  p.augmenter.choose_factor();
-  p.augmenter.propose_at_end();
-  end_step(p.data);
-  p.augmenter.take_at_end();
-  keep_history(p.data);
-  if (p.data.acts)
-    take_iterate(p.data, p.step_iterates == 0);
-  restart_search(p.data);
-  if (settings().update_penalty)
-    p.data.place.primary().update_stretch();
-  bool contact = false;
-  for (Local i = 0; i < p.data.points.size(); ++i)
-    contact = contact || p.data.points.converged(i).in_contact;
-  p.established = p.data.comm.any(contact);
-  p.data.place.accept();
-  p.augmenter.clear();
-  p.iterates = p.step_iterates = 0;
-}
-
-void Interaction::reject() {
-  Parts& p = *parts_;
-  drop_step(p.data);
-  p.augmenter.clear();
-  p.iterates = p.step_iterates = 0;
-  ++p.state_version;
-}
-
-void exchange_state(StateArchive& archive, Interaction& interface, const NodalFields& accepted) {
-  Interaction::Parts& p = *interface.parts_;
-  const std::string path = "contact." + p.data.settings.name + ".";
-  archive.numbers(path + "interface", [&](auto& v) {
-    v(p.started, p.established, p.data.factor, p.data.terms.law.hair_share);
-    p.augmenter.list_state(v);
-  });
-  exchange_history(archive, path, p.data);
-  if (!archive.takes())
-    return;
-  p.data.place.start_at(accepted);
-  p.augmenter.clear();
-  p.iterates = p.step_iterates = 0;
-  ++p.state_version;
-}
-
-Augmentation Interaction::augmentation(const EnergyOfBodies& energy) {
-  return parts_->augmenter.judge(energy);
-}
-
-void Interaction::augment() {
-  parts_->augmenter.augment();
-  freeze(parts_->data);
-  parts_->iterates = 0;
-  ++parts_->state_version;
-}
-
-bool Interaction::tear() {
-  if (!settings().sticky)
-    return false;
-  const bool torn = contact::tear(parts_->data);
-  parts_->state_version += torn;
-  return torn;
 }
 
 ContactSummary Interaction::summary() const {

@@ -27,12 +27,18 @@ struct InterfaceData {
   PointArrays points;
   std::unique_ptr<NodalSpace> nodal; ///< null: the points hold the law
   PointTerms terms;                  ///< of the last evaluation
-  std::vector<char> held; ///< (surface nodes) prescribed along the normal; may be empty
-  bool acts = true;       ///< the last evaluation lay in the window
+  std::vector<char> held;            ///< (surface nodes) prescribed along the normal; may be empty
+  bool acts = true;                  ///< the last evaluation lay in the window
 
   const PrimaryView& primary() const { return place.points(); }
   const FacingView& facing() const { return place.facing(); }
   const mesh::Surface& surface() const { return place.primary().surface(); }
+  /// A number of the point that all ranks know.
+  Global point_key(Local point) const {
+    constexpr Global most_points = 64; // more than a face has
+    const Local face = primary().face(point);
+    return surface().face_id[std::size_t(face)] * most_points + point - primary().first_point(face);
+  }
   /// Area of the point in the measure of the tractions [length^2].
   double measure(Local point) const {
     return settings.ray() ? primary().current_area(point) : primary().area(point);

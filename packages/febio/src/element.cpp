@@ -2,6 +2,7 @@
 #include "element.hpp"
 
 #include "abut/core/error.hpp"
+#include "abut/translation/number.hpp"
 #include "abut/translation/utf8.hpp"
 
 #include <algorithm>
@@ -22,11 +23,7 @@ std::string trimmed(const std::string& s) {
   return s.substr(first, s.find_last_not_of(white) - first + 1);
 }
 
-/// Numbers so large or small are taken for mistakes: their products would not be finite.
-constexpr double largest = 1e100;
-bool is_sane(double x) {
-  return std::abs(x) <= largest && (x == 0.0 || std::abs(x) >= 1.0 / largest);
-}
+using translation::is_sane;
 
 bool parse_double(const std::string& s, double& x) {
   char* end = nullptr;

@@ -223,15 +223,9 @@ double MeshTranslation::face_size(const std::string& surface) const {
 }
 
 double MeshTranslation::inverse_depth(const mesh::SideData& side) const {
-  const std::size_t domain = static_cast<std::size_t>(side.block);
-  const std::size_t element = static_cast<std::size_t>(side.element);
-  const Domain& d = model_.mesh.domains[domain];
-  const fem::CellSide& face = fem::side(d.cell, side.side);
-  const std::size_t first = element * static_cast<std::size_t>(fem::info(d.cell).nodes);
-  Vec3 x[fem::max_face_nodes];
-  for (int a = 0; a < fem::face_nodes(face.type); ++a)
-    x[a] = position(d.nodes[first + static_cast<std::size_t>(face.nodes[a])]);
-  return fem::face_area(face.type, x) / bulk_[domain].volumes[element];
+  const std::vector<Vec3> x = mesh::side_points(data_, side);
+  return fem::face_area(mesh::cell_side(data_, side).type, x.data()) /
+         bulk_[std::size_t(side.block)].volumes[std::size_t(side.element)];
 }
 
 } // namespace abut::febio

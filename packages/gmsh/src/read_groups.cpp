@@ -3,8 +3,6 @@
 
 #include "abut/translation/utf8.hpp"
 
-#include <cstdlib>
-#include <limits>
 #include <set>
 
 namespace abut::gmsh {
@@ -12,11 +10,6 @@ namespace abut::gmsh {
 namespace {
 
 constexpr std::size_t longest_name = 200; // results need some characters more, and Exodus has 255
-
-/// A group's number. Gmsh writes a minus where the orientation is turned round.
-int tag_of(int tag) {
-  return tag == std::numeric_limits<int>::min() ? 0 : std::abs(tag);
-}
 
 } // namespace
 

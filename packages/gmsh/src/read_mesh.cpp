@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "readers.hpp"
 
+#include "abut/translation/number.hpp"
 #include "element_type.hpp"
-
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 
 namespace abut::gmsh {
 
 namespace {
 
-/// Numbers so large or small are taken for mistakes: their products would not be finite.
-constexpr double largest = 1e100;
-
 double coordinate(Cursor& cursor) {
   const std::size_t at = cursor.at();
   const double x = cursor.real("a coordinate");
-  if (std::abs(x) > largest || (x != 0.0 && std::abs(x) < 1.0 / largest))
+  if (!translation::is_sane(x))
     cursor.fail("expected a coordinate, got one beyond all measure", at);
   return x;
 }
@@ -124,11 +118,11 @@ void read_element_2(Cursor& cursor, const ElementType& type, int tags, std::size
   for (int k = 0; k < tags; ++k) {
     const int tag = cursor.integer("a tag");
     if (k == 0)
-      physical = tag == std::numeric_limits<int>::min() ? 0 : std::abs(tag);
+      physical = tag_of(tag);
     if (k == 1)
       entity = tag;
     if (k == 2 && tag > 1)
-      cursor.fail("the mesh is cut into parts; save it whole, without partitions", at_tags);
+      cursor.fail(in_parts, at_tags);
   }
   Elements& list = list_for(model, type.number, {type.dim, entity},
                             physical > 0 ? std::vector<int>{physical} : std::vector<int>());

@@ -115,7 +115,7 @@ private:
 
   void skip(const std::string& name, std::size_t at) {
     if (name == "PartitionedEntities")
-      cursor_.fail("the mesh is cut into parts; save it whole, without partitions", at);
+      cursor_.fail(in_parts, at);
     cursor_.skip_to("$End" + name);
     report_.add({static_cast<long long>(at), "$" + Cursor::plain(name), translation::Fate::ignored,
                  why_ignored(name)});

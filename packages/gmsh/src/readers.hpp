@@ -5,12 +5,22 @@
 
 #include "abut/translation/report.hpp"
 
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <vector>
 
 /// Readers of the sections of a file, from behind $NAME to $EndNAME. All throw InputError as
 /// read_model does.
 namespace abut::gmsh {
+
+inline constexpr const char* in_parts =
+    "the mesh is cut into parts; save it whole, without partitions";
+
+/// A group's number. Gmsh writes a minus where the orientation is turned round.
+inline int tag_of(int tag) {
+  return tag == std::numeric_limits<int>::min() ? 0 : std::abs(tag);
+}
 
 using Physical = std::map<Entity, std::vector<int>>; ///< tags of the physical groups of entities
 

@@ -4,6 +4,7 @@
 #include "abut/core/checksum.hpp"
 #include "abut/core/error.hpp"
 #include "abut/core/machine_error.hpp"
+#include "linked.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -174,12 +175,13 @@ Checkpoint decoded(const std::string& bytes) {
 } // namespace
 
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
-  Draft draft(path + ".unfinished");
+  const std::string place = linked(path).string();
+  Draft draft(place + ".unfinished");
   if (draft.id < 0 || !draft.put(encoded(checkpoint)) ||
-      std::rename(draft.path.c_str(), path.c_str()) != 0)
+      std::rename(draft.path.c_str(), place.c_str()) != 0)
     throw MachineError("cannot write '" + path + "': " + std::strerror(errno));
   draft.kept = true;
-  sync_folder(path);
+  sync_folder(place);
 }
 
 Checkpoint read_checkpoint(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include "abut/core/error.hpp"
 #include "exodus_file.hpp"
+#include "linked.hpp"
 #include "put_mesh.hpp"
 
 #include <algorithm>
@@ -18,15 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Global one_file_nodes = 200000;
-
-/// Where the links at a path lead, also where nothing is there yet.
-fs::path linked(fs::path path) {
-  constexpr int most = 40;
-  std::error_code ignored;
-  for (int i = 0; i < most && fs::is_symlink(path, ignored); ++i)
-    path = path.parent_path() / fs::read_symlink(path, ignored);
-  return path;
-}
 
 /// FILE.04.1 -> the same width for all ranks, as the Exodus tools expect.
 std::string rank_path(const std::string& file, const Comm& comm) {

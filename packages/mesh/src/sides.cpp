@@ -58,11 +58,16 @@ SideIndex::SideIndex(const MeshData& mesh) {
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const fem::CellInfo& cell = fem::info(mesh.blocks[b].type);
     const Global elements = Global(mesh.blocks[b].nodes.size()) / cell.nodes;
+    sides_.reserve(sides_.size() + std::size_t(elements) * std::size_t(cell.sides));
     for (Global e = 0; e < elements; ++e)
       for (int s = 0; s < cell.sides; ++s) {
         const SideData side{int(b), e, s};
-        const int corners = fem::face_corners(cell_side(mesh, side).type);
-        sides_.emplace_back(key(side_nodes(mesh, side).data(), corners), side);
+        const fem::CellSide& face = cell_side(mesh, side);
+        const int count = fem::face_corners(face.type);
+        Global corners[4];
+        for (int a = 0; a < count; ++a)
+          corners[a] = mesh.blocks[b].nodes[std::size_t(e * cell.nodes + face.nodes[a])];
+        sides_.emplace_back(key(corners, count), side);
       }
   }
   std::sort(sides_.begin(), sides_.end());

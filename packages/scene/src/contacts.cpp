@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace abut::scene {
 
@@ -78,14 +79,17 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
               const solid::BlockMaterials& materials,
               const std::vector<assembly::Constraint>& constraints, PhaseTimers& timers,
               const Where& where, std::vector<std::string>& warnings) {
-  const auto surface = [&](const std::string& name) { return make_surface(mesh, name, materials); };
   std::optional<search::BodyThickness> thickness; // without contact nobody asks
   if (!options.contact.empty())
     thickness.emplace(mesh);
-  const auto side = [&](const std::string& name) {
-    mesh::Surface s = surface(name);
-    s.thickness = thickness->behind(s);
-    return s;
+  const auto side = [&](const std::string& contact, const std::string& name) {
+    try {
+      mesh::Surface s = make_surface(mesh, name, materials);
+      s.thickness = thickness->behind(s);
+      return s;
+    } catch (const InputError& e) {
+      throw InputError(where("contact." + contact) + ": " + e.what());
+    }
   };
   contact::HostFacts host;
   host.curve = [&](const std::string& name) { return curve_named(options.curves, name); };
@@ -95,13 +99,13 @@ make_contacts(const Options& options, const mesh::Mesh& mesh,
   };
   std::vector<std::shared_ptr<contact::Interaction>> result;
   for (const contact::ContactOptions& given : options.contact) {
-    const auto softest = [&] {
-      return softest_face(mesh.comm, surface(given.primary), surface(given.secondary));
-    };
+    mesh::Surface primary = side(given.name, given.primary);
+    mesh::Surface secondary = side(given.name, given.secondary);
+    const auto softest = [&] { return softest_face(mesh.comm, primary, secondary); };
     check_penalty(given, softest, where, warnings);
     try {
       const contact::Passes passes = contact::make_passes(
-          mesh.comm, side(given.primary), side(given.secondary), given, timers, host);
+          mesh.comm, std::move(primary), std::move(secondary), given, timers, host);
       result.insert(result.end(), passes.interfaces.begin(), passes.interfaces.end());
       warnings.insert(warnings.end(), passes.warnings.begin(), passes.warnings.end());
     } catch (const contact::OptionError& e) {

@@ -58,15 +58,8 @@ void require_name(const Where& where, const std::string& path, const std::string
 
 void name_blocks(Options& options, const mesh::Mesh& mesh) {
   const auto name = [&](std::string& word) {
-    const mesh::Block* numbered = nullptr;
-    for (const mesh::Block& b : mesh.blocks) {
-      if (b.name == word)
-        return;
-      if (std::to_string(b.id) == word)
-        numbered = &b;
-    }
-    if (numbered)
-      word = numbered->name;
+    if (const int b = block_called(mesh.blocks, word); b >= 0)
+      word = mesh.blocks[std::size_t(b)].name;
   };
   for (BodyOptions& body : options.bodies)
     for (std::string& block : body.blocks)

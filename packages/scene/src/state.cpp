@@ -75,11 +75,13 @@ void add_motion(const Scene& m, const NodalFields& fields, State& s) {
 
 double energy_of_bodies(const Scene& m) {
   const NodalFields fields = m.equations->fields();
-  State motion;
-  if (m.inertia)
-    add_motion(m, fields, motion);
-  return stored(m, element_fields(m, fields), m.equations->joints().states()) +
-         motion.energy.kinetic;
+  double kinetic = 0.0;
+  if (m.inertia) {
+    kinetic = m.mesh->comm.sum(m.inertia->momentum(fields).kinetic_energy);
+    for (const rigid::BodyMotion& body : m.equations->bodies().motions())
+      kinetic += body.kinetic_energy;
+  }
+  return stored(m, element_fields(m, fields), m.equations->joints().states()) + kinetic;
 }
 
 State make_state(const Scene& m, const Vector& x, double time, const solver::Counters& counters) {

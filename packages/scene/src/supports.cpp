@@ -348,10 +348,10 @@ void require_supports(const Options& options, Scene& scene, const Vector& x, con
     free = free_beside_nearest(options, scene, x);
   if (free.empty()) {
     for (const FreePiece& piece : held)
-      scene.warnings.push_back(
-          fmt::format("bodies.{}: nothing but contact can hold {}, and nothing touches at the start: "
-                      "the nearest points, {:.3g} off, hold it until they touch",
-                      piece.body, piece.text(), nearest_gap(scene)));
+      scene.warnings.push_back(fmt::format(
+          "bodies.{}: nothing but contact can hold {}, and nothing touches at the start: "
+          "the nearest points, {:.3g} off, hold it until they touch",
+          piece.body, piece.text(), nearest_gap(scene)));
     return;
   }
   bool rigid = false;

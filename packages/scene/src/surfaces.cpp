@@ -112,11 +112,8 @@ private:
       names.push_back(block.name);
     std::vector<char> chosen(names.size(), 0);
     for (const std::string& word : words) {
-      auto at = std::find(names.begin(), names.end(), word) - names.begin();
-      for (std::size_t b = 0; b < names.size() && std::size_t(at) == names.size(); ++b)
-        if (std::to_string(mesh_.blocks[b].id) == word)
-          at = std::ptrdiff_t(b);
-      if (std::size_t(at) == names.size())
+      const int at = block_called(mesh_.blocks, word);
+      if (at < 0)
         require_name(where_, path, "block", word, names);
       chosen[std::size_t(at)] = 1;
     }

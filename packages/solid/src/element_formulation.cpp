@@ -71,9 +71,8 @@ ElementFormulation element_formulation(ElementFormulation asked, CellType cell,
 
 Locking locking(ElementFormulation formulation, CellType cell, const Material& material) {
   const bool simplex = cell == CellType::tet4 || cell == CellType::wedge6;
-  const bool plain =
-      formulation == ElementFormulation::displacement && (simplex || cell == CellType::hex8);
-  return {poisson_at_rest(material) >= nearly_incompressible && (plain || simplex), simplex};
+  const bool plain_hex = cell == CellType::hex8 && formulation == ElementFormulation::displacement;
+  return {(simplex || plain_hex) && poisson_at_rest(material) >= nearly_incompressible, simplex};
 }
 
 } // namespace abut::solid

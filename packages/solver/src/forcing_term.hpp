@@ -48,11 +48,11 @@ private:
   double newton_tolerance_;
   std::optional<double> displacement_tolerance_;
   const NonlinearSystem* system_ = nullptr;
-  int iterates_ = 0;              ///< of this solve that a system has been solved at
-  double first_residual_ = 0.0;   ///< of this solve [force]
-  double last_residual_ = 0.0;    ///< of the last one [force]
-  double linear_part_ = 0.0;      ///< what the last linear solve left of it [force]
-  double first_share_ = 1.0;      ///< of a solve's first residual, what Newton leaves by itself [1]
+  int iterates_ = 0;            ///< of this solve that a system has been solved at
+  double first_residual_ = 0.0; ///< of this solve [force]
+  double last_residual_ = 0.0;  ///< of the last one [force]
+  double linear_part_ = 0.0;    ///< what the last linear solve left of it [force]
+  double first_share_ = 1.0;    ///< of a solve's first residual, what Newton leaves by itself [1]
   /// Residual over reference force after the last prediction. [1]
   std::optional<double> prediction_error_;
   bool predicted_ = false;

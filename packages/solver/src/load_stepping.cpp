@@ -142,8 +142,7 @@ void LoadStepping::finish_step(Course& course, const Attempt& tried, double t,
 /// A step that was cut is as short again, also where steps have another length by now.
 double LoadStepping::first_step(const Standing& from) const {
   const double nominal = options_.end / options_.steps;
-  const bool same = from.nominal == nominal;
-  return from.dt == 0.0 ? nominal : same ? from.dt : nominal * (from.dt / from.nominal);
+  return from.dt == 0.0 ? nominal : from.dt * (nominal / from.nominal);
 }
 
 double LoadStepping::step_end(double t, double dt) const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nodal law on plates and patches moved by hand: its weights, uniform states, friction, ends.
-#include "spaces/dual_weights.hpp"
 #include "abut/contact/interaction.hpp"
 #include "abut/core/error.hpp"
 #include "abut/fem/quadrature.hpp"
 #include "dual_scene.hpp"
+#include "spaces/dual_weights.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

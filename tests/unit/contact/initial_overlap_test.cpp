@@ -63,7 +63,8 @@ TEST_P(InitialOverlaps, AnOffsetIsResolvedToo) {
 
 class Starts : public ::testing::TestWithParam<Case> {
 protected:
-  /// Gaps of all sites that take part at t, without moving anything, of wavy surfaces that overlap in part.
+  /// Gaps of all sites that take part at t, without moving anything, of wavy surfaces that overlap
+  /// in part.
   static std::vector<double> gaps(ContactOptions o, double t,
                                   std::function<double(double)> interference = {}) {
     o.formulation = std::get<0>(GetParam()).formulation;

@@ -26,14 +26,10 @@ template <class V> void list_state(V& v, NodeHistory& h) {
 
 namespace {
 
-constexpr Global most_points = 64; ///< more than a face has
-
 std::vector<Global> point_keys(const InterfaceData& data) {
-  const PrimaryView& p = data.primary();
   std::vector<Global> keys;
-  for (Local i = 0; i < p.points(); ++i)
-    keys.push_back(data.surface().face_id[std::size_t(p.face(i))] * most_points + i -
-                   p.first_point(p.face(i)));
+  for (Local i = 0; i < data.points.size(); ++i)
+    keys.push_back(data.point_key(i));
   return keys;
 }
 

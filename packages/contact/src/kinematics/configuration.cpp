@@ -140,7 +140,7 @@ void Configuration::collect() {
   }
   search::Bvh<3> tree;
   tree.build(boxes);
-  facing_.collect(x_secondary_, x_secondary_previous_, tree.summary(summary_levels));
+  facing_.collect(x_secondary_, x_secondary_previous_, tree.summary(summary_levels), self_);
 }
 
 PartnerSearch Configuration::search() const {

@@ -55,7 +55,7 @@ struct FacingSurface::Parcels {
 };
 
 void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<double>& x_previous,
-                            const std::vector<Box<3>>& wanted) {
+                            const std::vector<Box<3>>& wanted, bool at_rest) {
   const auto ranks = static_cast<std::size_t>(comm_.size());
   const auto wanted_by = share_boxes(comm_, wanted);
   const std::vector<double> sizes = face_sizes(own_);
@@ -81,7 +81,8 @@ void FacingSurface::collect(const std::vector<double>& x_own, const std::vector<
   in.nodes = comm_.exchange(out.nodes);
   unpack(in);
   fetch(x_previous, view_.x_previous);
-  fetch(own_.x, view_.x_reference);
+  if (at_rest)
+    fetch(own_.x, view_.x_reference);
   update(x_own);
 }
 

@@ -96,9 +96,10 @@ public:
 
   /// Fetches the faces that come within `wanted` (boxes of this rank's primary faces, inflated by
   /// what they need); each face counts with its own reach. x_own, x_previous: (own nodes, 3)
-  /// current and at the last converged step. Collective.
+  /// current and at the last converged step. at_rest: reference coordinates too, for self-contact.
+  /// Collective.
   void collect(const std::vector<double>& x_own, const std::vector<double>& x_previous,
-               const std::vector<search::Box<3>>& wanted);
+               const std::vector<search::Box<3>>& wanted, bool at_rest);
   /// Fetches the current coordinates of the nodes of the collected faces. Collective.
   void update(const std::vector<double>& x_own);
   /// The current coordinates become those of the last converged step.

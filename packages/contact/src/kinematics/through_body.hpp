@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/fem/face_map.hpp"
+#include "abut/contact/facet_gap.hpp"
 #include "kinematics/facing_surface.hpp"
 #include "kinematics/primary_surface.hpp"
 #include "law/constants.hpp"
@@ -27,8 +27,7 @@ struct BodySight {
       return false;
     Vec3 y[fem::max_face_nodes];
     facing.previous_coordinates(face, y);
-    const Place then = place(y);
-    return dot(then.normal, then.x - x_previous) > most;
+    return -facet_gap<double>(facing.type(face), y, x_previous, xi).gap > most;
   }
 
   /// Of one surface: whether the way from the point to the face has led through the body from the
@@ -37,21 +36,11 @@ struct BodySight {
     const auto from = primary_point(primary.shape(point), primary.at_rest(primary.face(point)));
     Vec3 y[fem::max_face_nodes];
     facing.reference_coordinates(face, y);
-    const Place to = place(y);
-    const Vec3 way = to.x - from.x;
-    return dot(way, to.normal - from.normal) > leads_inward * norm(way) &&
+    fem::FacePoint<double> to;
+    fem::face_point(facing.type(face), y, xi, to);
+    const Vec3 area = cross(to.tangent[0], to.tangent[1]), way = to.x - from.x;
+    return dot(way, (1.0 / norm(area)) * area - from.normal) > leads_inward * norm(way) &&
            depth > squeezed * norm(way);
-  }
-
-private:
-  struct Place {
-    Vec3 x, normal;
-  };
-  KOKKOS_INLINE_FUNCTION Place place(const Vec3* y) const {
-    fem::FacePoint<double> at;
-    fem::face_point(facing.type(face), y, xi, at);
-    const Vec3 area = cross(at.tangent[0], at.tangent[1]);
-    return {at.x, (1.0 / norm(area)) * area};
   }
 };
 

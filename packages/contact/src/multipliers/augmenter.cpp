@@ -11,7 +11,7 @@ namespace abut::contact {
 namespace {
 
 constexpr double stiff_factor = 10.0; ///< springs of this f should close a gap fast
-constexpr double halved = 0.5; ///< share of a change that a set which comes and goes gets
+constexpr double halved = 0.5;        ///< share of a change that a set which comes and goes gets
 
 /// A number of 40 bits that looks like chance.
 Global scattered(Global key) {
@@ -243,8 +243,8 @@ void Augmenter::augment() {
 }
 
 void Augmenter::propose_at_end() {
-  if (!data_.acts || (data_.nodal ? !data_.settings.carries_tractions()
-                                  : !data_.settings.augments_at_end()))
+  if (!data_.acts ||
+      (data_.nodal ? !data_.settings.carries_tractions() : !data_.settings.augments_at_end()))
     return;
   Augmentation unused;
   propose(unused);

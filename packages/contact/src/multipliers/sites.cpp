@@ -12,10 +12,7 @@ Vec3 tied_rest(const InterfaceData& data, Local point, const PrimaryPoint<double
 Global Sites::key(Local i) const {
   if (data_.nodal)
     return data_.surface().node[i] + 1;
-  constexpr Global points = 64; // more than a face has
-  const PrimaryView& p = data_.primary();
-  const Local face = p.face(i);
-  return data_.surface().face_id[face] * points + (i - p.first_point(face)) + 1;
+  return data_.point_key(i) + 1;
 }
 
 bool Sites::held(Local i) const {

@@ -13,7 +13,8 @@
 /// residual, tangent and averages as element_kernel.hpp says. Copied by value; arrays are shared.
 namespace abut::solid {
 
-template <fem::CellType C, class M> struct DisplacementElements {
+/// Elements of the shape functions; dilated: with a mean dilatation.
+template <fem::CellType C, class M, bool dilated> struct PointElements {
   static constexpr int nodes = ReferenceCell<C>::nodes;
 
   CellArrays cells;
@@ -23,45 +24,31 @@ template <fem::CellType C, class M> struct DisplacementElements {
   template <class U> KOKKOS_INLINE_FUNCTION double residual(Local e, const U& u, U& r) const {
     double x[3][nodes];
     cells.reference(e, x);
-    return element_residual<C>(table(0), material, x, u, r);
+    if constexpr (dilated)
+      return mean_dilatation_residual<C>(table(0), material, x, u, r);
+    else
+      return element_residual<C>(table(0), material, x, u, r);
   }
   template <class U> KOKKOS_INLINE_FUNCTION double tangent(Local e, const U& u, double* k) const {
     double x[3][nodes];
     cells.reference(e, x);
-    return element_tangent<C>(table(0), material, x, u, k);
+    if constexpr (dilated)
+      return mean_dilatation_tangent<C>(table(0), material, x, u, k);
+    else
+      return element_tangent<C>(table(0), material, x, u, k);
   }
   template <class U>
   KOKKOS_INLINE_FUNCTION void averages(Local e, const U& u, double* stress, double& energy) const {
     double x[3][nodes];
     cells.reference(e, x);
-    element_averages<C>(table(0), material, x, u, stress, energy);
+    if constexpr (dilated)
+      mean_dilatation_averages<C>(table(0), material, x, u, stress, energy);
+    else
+      element_averages<C>(table(0), material, x, u, stress, energy);
   }
 };
-
-template <fem::CellType C, class M> struct DilatedElements {
-  static constexpr int nodes = ReferenceCell<C>::nodes;
-
-  CellArrays cells;
-  View<const ReferenceCell<C>> table; ///< one
-  M material;
-
-  template <class U> KOKKOS_INLINE_FUNCTION double residual(Local e, const U& u, U& r) const {
-    double x[3][nodes];
-    cells.reference(e, x);
-    return mean_dilatation_residual<C>(table(0), material, x, u, r);
-  }
-  template <class U> KOKKOS_INLINE_FUNCTION double tangent(Local e, const U& u, double* k) const {
-    double x[3][nodes];
-    cells.reference(e, x);
-    return mean_dilatation_tangent<C>(table(0), material, x, u, k);
-  }
-  template <class U>
-  KOKKOS_INLINE_FUNCTION void averages(Local e, const U& u, double* stress, double& energy) const {
-    double x[3][nodes];
-    cells.reference(e, x);
-    mean_dilatation_averages<C>(table(0), material, x, u, stress, energy);
-  }
-};
+template <fem::CellType C, class M> using DisplacementElements = PointElements<C, M, false>;
+template <fem::CellType C, class M> using DilatedElements = PointElements<C, M, true>;
 
 template <class M> struct EnhancedElements {
   static constexpr int nodes = EnhancedReference::nodes;

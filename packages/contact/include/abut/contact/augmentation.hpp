@@ -43,12 +43,12 @@ struct Augmentation {
 
 /// A site as an update of its multipliers sees it.
 struct Site {
-  double area = 0.0; ///< that it stands for; 0: it takes no part, or another rank speaks for it
-                     ///< [length^2]
-  double size = 0.0; ///< of its faces [length]
-  double gap = 0.0;  ///< > 0 open, less the offset [length]
-  double penalty = 0.0;    ///< [pressure/length]
-  double multiplier = 0.0; ///< of the pressure, in the last solve [pressure]
+  double area = 0.0;    ///< that it stands for; 0: it takes no part, or another rank speaks for it
+                        ///< [length^2]
+  double size = 0.0;    ///< of its faces [length]
+  double gap = 0.0;     ///< > 0 open, less the offset [length]
+  double penalty = 0.0; ///< [pressure/length]
+  double multiplier = 0.0;          ///< of the pressure, in the last solve [pressure]
   Vec3 carried = {{0.0, 0.0, 0.0}}; ///< of the shear, turned to the present [pressure]
   Vec3 spring = {{0.0, 0.0, 0.0}};  ///< shear that the spring carries beside it [pressure]
   Vec3 normal = {{0.0, 0.0, 0.0}};  ///< from the secondary to the primary

@@ -12,11 +12,11 @@ namespace abut::contact {
 
 /// What the interfaces say after a converged solve.
 struct AugmentationReport {
-  bool converged = true; ///< no further solve is needed
-  bool stalled = false;  ///< further augmentations change nothing; stop, with reason
-  double change = 0.0;   ///< largest relative change of multipliers [1]
-  double gap = 0.0;      ///< largest violation over face size [1]
-  std::string reason;    ///< one sentence, for the log
+  bool converged = true;             ///< no further solve is needed
+  bool stalled = false;              ///< further augmentations change nothing; stop, with reason
+  double change = 0.0;               ///< largest relative change of multipliers [1]
+  double gap = 0.0;                  ///< largest violation over face size [1]
+  std::string reason;                ///< one sentence, for the log
   std::vector<std::string> warnings; ///< once a step for each interface that converges slowly
 };
 

@@ -20,6 +20,18 @@ std::vector<std::string> set_names(const mesh::Mesh& mesh);
 void require_name(const Where& where, const std::string& path, const std::string& what,
                   const std::string& name, const std::vector<std::string>& valid);
 
+/// Index of the block of this name or, where none has it, of this number; -1: there is none.
+template <class Blocks> int block_called(const Blocks& blocks, const std::string& word) {
+  int numbered = -1;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].name == word)
+      return static_cast<int>(b);
+    if (std::to_string(blocks[b].id) == word)
+      numbered = static_cast<int>(b);
+  }
+  return numbered;
+}
+
 /// Blocks that the options call by their number get their names, unless one is called so.
 void name_blocks(Options& options, const mesh::Mesh& mesh);
 

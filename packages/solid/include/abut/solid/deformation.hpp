@@ -101,4 +101,12 @@ KOKKOS_INLINE_FUNCTION void clear(double c[6][6]) {
       c[v][w] = 0.0;
 }
 
+/// F^-1, where det F > 0.
+template <class T> KOKKOS_INLINE_FUNCTION Mat<T, 3> inverse_gradient(const Deformation<T>& d) {
+  Mat<T, 3> F = d.H;
+  for (int i = 0; i < 3; ++i)
+    F[i][i] += 1.0;
+  return inverse(F, d.jacobian());
+}
+
 } // namespace abut::solid

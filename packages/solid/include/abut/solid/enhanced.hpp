@@ -34,13 +34,9 @@ template <class T> struct EnhancedState {
     deformation = Deformation<T>(nodal_gradient(u, reference.gradient));
     back = Mat<T, 3>::identity();
     if (finite_strain) {
-      const T J = deformation.jacobian();
-      if (!(J > 0.0))
+      if (!(deformation.jacobian() > 0.0))
         return false;
-      Mat<T, 3> F = deformation.H;
-      for (int i = 0; i < 3; ++i)
-        F[i][i] += 1.0;
-      back = inverse(F, J);
+      back = inverse_gradient(deformation);
     }
     for (int i = 0; i < 3; ++i)
       for (int a = 0; a < 8; ++a)

@@ -106,13 +106,9 @@ template <class T> struct SolidPoint {
           map[k][i] = T(to_reference[k][i]);
       return true;
     }
-    const T J = deformation.jacobian();
-    if (!(J > 0.0))
+    if (!(deformation.jacobian() > 0.0))
       return false;
-    Mat<T, 3> F = deformation.H;
-    for (int i = 0; i < 3; ++i)
-      F[i][i] += 1.0;
-    const Mat<T, 3> back = inverse(F, J);
+    const Mat<T, 3> back = inverse_gradient(deformation);
     for (int k = 0; k < 3; ++k)
       for (int i = 0; i < 3; ++i)
         map[k][i] = to_reference[k][0] * back[0][i] + to_reference[k][1] * back[1][i] +
