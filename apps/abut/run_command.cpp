@@ -12,6 +12,7 @@
 #include "signals.hpp"
 #include "summary.hpp"
 #include "verify.hpp"
+#include "waiting.hpp"
 #include "why_stopped.hpp"
 
 #include "abut/core/error.hpp"
@@ -278,6 +279,7 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
   facts.warnings = progress.warnings();
   facts.penalty = recorder.penalty_error();
   facts.wall_seconds = watch.seconds();
+  facts.waiting_seconds = WaitingWatch::seconds();
   facts.linear = used_methods(linear);
   say_what_linear_solves_cost(facts.linear, progress);
   const auto verdicts = judge(m, recorder.state(), result.converged, progress);
@@ -293,6 +295,7 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
 int run(const RunOptions& options) {
   const Comm comm(MPI_COMM_WORLD);
   const solver::Stopwatch watch;
+  const WaitingWatch waiting;
   create_folder(comm, options.output_dir);
   if (!options.summary.empty())
     comm.on_root([&] { protect_from_summary(options.summary); });

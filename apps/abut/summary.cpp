@@ -97,7 +97,8 @@ Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
                        {"setups", use.setups},
                        {"failures", use.failures},
                        {"seconds", comm.max(use.seconds)},
-                       {"setup_seconds", comm.max(use.setup_seconds)}};
+                       {"setup_seconds", comm.max(use.setup_seconds)},
+                       {"apply_seconds", comm.max(use.apply_seconds)}};
   return all;
 }
 
@@ -110,6 +111,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
     phases[phase_name(static_cast<Phase>(p))] =
         m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
   const Json linear = linear_json(m.comm, facts.linear);
+  const Json waiting = {m.comm.min(facts.waiting_seconds), m.comm.max(facts.waiting_seconds)};
   const double memory = m.comm.sum(peak_memory_mb());
   if (file.empty())
     return;
@@ -127,6 +129,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"cut_backs", s.counters.cut_backs},
                {"wall_seconds", facts.wall_seconds},
                {"phase_seconds", phases},
+               {"waiting_seconds", waiting},
                {"peak_memory_mb", memory},
                {"contact", contact_json(m, s, facts.penalty)},
                {"energy",

@@ -17,6 +17,7 @@ struct RunFacts {
   std::vector<std::string> warnings;
   scene::PenaltyError penalty;
   double wall_seconds = 0.0;
+  double waiting_seconds = 0.0;          ///< of this rank, for others and for messages
   std::vector<solver::LinearUse> linear; ///< those of the methods that were used
 };
 
