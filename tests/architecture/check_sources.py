@@ -26,6 +26,7 @@ ALLOWED = {
     "scene": {"core", "fem", "mesh", "search", "io", "contact", "solid", "unknowns", "rigid", "assembly",
               "solver"},
     "translation": {"core"},
+    "abaqus": {"core", "fem", "mesh", "translation"},
     "febio": {"core", "fem", "mesh", "translation"},
     "gmsh": {"core", "fem", "mesh", "translation"},
     "deck": {"core"},  # and everybody's options.hpp
