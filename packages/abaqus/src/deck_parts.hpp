@@ -70,6 +70,9 @@ private:
   std::vector<bool> is_reference_;
 };
 
+/// The name of a set, or `otherwise` where a field names a single node or element by its number.
+std::string name_of_set(const std::string& field, const std::string& otherwise);
+
 /// Demands of *BOUNDARY and *CLOAD.
 std::vector<Demand> demands_of(const std::vector<Condition>& conditions);
 

@@ -104,7 +104,7 @@ private:
     std::map<long long, std::string> name_of_key;
     for (const Condition& c : parts_.model.forces)
       for (const int n : c.nodes)
-        name_of_key.emplace(n, c.set);
+        name_of_key.emplace(n, name_of_set(c.set, "nodes"));
     for (const auto& [key, group] : groups(runs, name_of_key)) {
       std::vector<int> nodes(group.keys.begin(), group.keys.end());
       const std::vector<Global> set = parts_.mesh.nodes_of(nodes);
@@ -119,12 +119,12 @@ private:
     for (const Load& l : parts_.model.loads) {
       if (l.on_surface != on_surface || l.kind != kind)
         continue;
+      const std::string name = name_of_set(l.name, "faces") + (on_surface ? "" : "_" + l.label);
       for (const mesh::SideData& side : parts_.mesh.sides_of(l.faces))
         for (int i = 0; i < (kind == Load::Kind::traction ? 3 : 1); ++i) {
           const double value =
               kind == Load::Kind::traction ? l.value * l.direction[std::size_t(i)] : l.value;
-          demands.push_back(
-              {keys.key(side), i, l.step, value, l.amplitude, false, l.place, l.name});
+          demands.push_back({keys.key(side), i, l.step, value, l.amplitude, false, l.place, name});
         }
     }
     const Runs runs =

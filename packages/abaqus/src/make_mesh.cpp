@@ -28,7 +28,7 @@ std::vector<std::array<Global, 3>> sorted(const std::vector<mesh::SideData>& sid
 MeshTranslation::MeshTranslation(const Model& model, Report& report)
     : model_(model), report_(report), index_(model.nodes.size(), -1), place_(model.elements.size()),
       section_(model.elements.size(), -1), rigid_(model.elements.size(), -1) {
-  data_.title = model.title.empty() ? model.files[0] : model.title;
+  data_.title = model.files[0];
   assign();
   add_solids();
   add_facets();

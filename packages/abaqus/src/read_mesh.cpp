@@ -240,8 +240,10 @@ void read_surface(Card& card, const Scope& scope, Lookup& lookup) {
   const std::string type = card.word("TYPE", {"ELEMENT", "NODE"}, "ELEMENT");
   surface.of_nodes = type == "NODE";
   card.ignore({"INTERNAL"}, "");
-  if (type.empty())
+  if (type.empty()) { // refused; what names it shall still find it
+    model.surfaces.emplace(key_of(surface.name), std::move(surface));
     return;
+  }
   for (const DataLine& line : card.lines) {
     const auto fields = line.fields();
     if (surface.of_nodes) {

@@ -6,6 +6,7 @@
 #include "keywords.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace abut::abaqus {
 
@@ -166,9 +167,8 @@ private:
     } else if (card.is("STATIC") || card.is("DYNAMIC")) {
       if (!in_step)
         card.fail("expected within a *STEP");
-      if (procedures_ > item.step)
+      if (!procedures_.insert(item.step).second)
         card.fail("the step has its procedure already");
-      procedures_ = item.step + 1;
       card.is("STATIC") ? read_static(card, model_.steps.back())
                         : read_dynamic(card, model_.steps.back());
     } else if (card.is("TEMPERATURE")) {
@@ -202,6 +202,9 @@ private:
   void judge_steps() {
     for (std::size_t s = model_.steps.size(); s < structure_.steps.size(); ++s)
       read_step(*structure_.steps[s], model_);
+    for (std::size_t s = 0; s < model_.steps.size(); ++s)
+      if (!procedures_.count(static_cast<int>(s)))
+        structure_.steps[s]->refuse("expected *STATIC or *DYNAMIC in it");
     for (std::size_t s = 1; s < model_.steps.size(); ++s) {
       if (model_.steps[s].finite != model_.steps[0].finite)
         structure_.steps[s]->refuse(
@@ -244,7 +247,8 @@ private:
   Structure structure_;
   Model& model_;
   Lookup lookup_;
-  int step_ = -1, procedures_ = 0;
+  int step_ = -1;
+  std::set<int> procedures_; ///< steps that have one
   Material* material_ = nullptr;
   Interaction* interaction_ = nullptr;
   Card* coupling_ = nullptr;

@@ -96,6 +96,8 @@ void read_amplitude(Card& card, Model& model) {
   if (kind != "TABULAR") {
     if (!kind.empty())
       card.refuse("DEFINITION=" + kind + ": abut's curves are linear between points, TABULAR");
+    a.points = {{0.0, 0.0}}; // what names it shall still find it
+    model.amplitudes.emplace(key_of(a.name), std::move(a));
     return;
   }
   card.ignore({"SMOOTH"}, "abut's curves are linear between points");
@@ -266,7 +268,7 @@ void read_element_load(Card& card, const DataLine& line, const Scope& scope, Loa
   if (label.size() == 2 && label[0] == 'P' && label[1] >= '1' && label[1] <= '6') {
     load.kind = Load::Kind::pressure;
     add_faces(card, line, load.elements, label[1] - '1', model, load.faces);
-    load.name += "_" + label;
+    load.label = label;
   } else if (label == "GRAV") {
     load.kind = Load::Kind::gravity;
     load.direction = direction(card, line, fields, 3);

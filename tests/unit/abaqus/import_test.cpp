@@ -69,8 +69,8 @@ TEST(Abaqus, NumbersOfARangeThatAreNothingAreLeftOut) {
 }
 
 TEST(Abaqus, FilesAreIncludedWithinTheDataToo) {
-  const std::size_t lines = mesh.find(" 1, 0."), end = mesh.find("11, 0.");
-  const std::string inner = mesh.substr(lines, end - lines);
+  const std::size_t lines = cubes.find(" 1, 0."), end = cubes.find("11, 0.");
+  const std::string inner = cubes.substr(lines, end - lines);
   const std::string outer = with(two_cubes, inner, "*INCLUDE, INPUT=nodes.txt\n");
   translation::Report report;
   std::string asked;
@@ -87,7 +87,7 @@ TEST(Abaqus, FilesAreIncludedWithinTheDataToo) {
 
 TEST(Abaqus, InstancesAreShiftedAndThenTurned) {
   // The upper cube is the same part, turned by a right angle about an edge of the shifted one.
-  const std::string part = mesh.substr(0, mesh.find("11, 0.")) + R"(*ELEMENT, TYPE=C3D8, ELSET=Cube
+  const std::string part = cubes.substr(0, cubes.find("11, 0.")) + R"(*ELEMENT, TYPE=C3D8, ELSET=Cube
 1, 1, 2, 3, 4, 5, 6, 7, 8
 *NSET, NSET=bottom
 1, 2, 3, 4

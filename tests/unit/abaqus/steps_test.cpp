@@ -9,7 +9,7 @@ using ::testing::Not;
 
 namespace {
 
-const std::string before = mesh + material + pair;
+const std::string before = cubes + material + pair;
 
 TEST(AbaqusSteps, ADisplacementGoesOnFromWhereItIs) {
   const std::string deck = scene_of(before + held + R"(*STEP
@@ -57,10 +57,11 @@ FOOT, 1, 3
   expect_line(deck, "  HEAD_3: {set: HEAD, z: -0.01, curve: moves_HEAD, until: 1}");
   EXPECT_THAT(deck, HasSubstr("18"));
   // A force that is taken away goes down over the step.
-  expect_line(deck,
-              "  force_on_7: {force: [5, 0, 0], node_set: loaded_7, curve: loads_force_on_7}");
-  expect_line(deck, "  loads_force_on_7: [[0, 0], [1, 1], [2, 0]]");
-  expect_line(deck, "  loads_force_on_8: [[0, 0], [1, 0], [2, 1]]");
+  expect_line(
+      deck,
+      "  force_on_nodes: {force: [5, 0, 0], node_set: loaded_nodes, curve: loads_force_on_nodes}");
+  expect_line(deck, "  loads_force_on_nodes: [[0, 0], [1, 1], [2, 0]]");
+  expect_line(deck, "  loads_force_on_nodes_2: [[0, 0], [1, 0], [2, 1]]");
 }
 
 TEST(AbaqusSteps, FixedHoldsWhereTheNodesAre) {

@@ -11,7 +11,7 @@
 namespace abut::abaqus_test {
 
 /// Two unit cubes on each other, nodes 1 to 8 and 11 to 18, elements 1 and 2.
-inline const std::string mesh = R"(*NODE, NSET=ALL
+inline const std::string cubes = R"(*NODE, NSET=ALL
  1, 0., 0., 0.
  2, 1., 0., 0.
  3, 1., 1., 0.
@@ -64,7 +64,7 @@ inline const std::string step = R"(*STEP
 HEAD, 3, 3, -.01
 *END STEP
 )";
-inline const std::string two_cubes = mesh + material + pair + held + step;
+inline const std::string two_cubes = cubes + material + pair + held + step;
 
 inline std::string with(std::string text, const std::string& old, const std::string& changed) {
   const std::size_t at = text.find(old);

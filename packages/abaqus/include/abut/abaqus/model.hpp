@@ -141,6 +141,7 @@ struct Load {
   int step = 0;
   bool on_surface = false; ///< *DSLOAD
   std::string name;        ///< of the set or surface
+  std::string label;       ///< P1 to P6 of a pressure on elements
   std::vector<Face> faces; ///< of a pressure or traction
   std::vector<int> elements;
   std::array<double, 3> direction{}; ///< of length one, but for a pressure
