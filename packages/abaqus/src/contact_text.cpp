@@ -93,10 +93,13 @@ private:
   void tie(const Pair& p, const Interaction& with, const std::string& primary) {
     constexpr double farthest = 3.0; // face sizes, as far as abut seeks
     line("tied", "true");
-    std::optional<double> tolerance = p.tolerance ? p.tolerance : p.adjust;
-    if (with.normal == Interaction::Normal::tied && !p.tied)
-      line("tie_distance", number_text(farthest) + "  # all faces, however far");
-    else if (tolerance)
+    if (!p.tied) { // CalculiX: all faces that have a partner, as springs without length
+      line("tie_distance", number_text(farthest));
+      line("tie_gap", "close");
+      return;
+    }
+    const std::optional<double> tolerance = p.tolerance ? p.tolerance : p.adjust;
+    if (tolerance)
       line("tie_distance",
            number_text(std::clamp(rounded(*tolerance / parts_.mesh.face_size(primary), 3), 1e-6,
                                   farthest)));

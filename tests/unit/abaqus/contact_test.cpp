@@ -110,7 +110,7 @@ TEST(AbaqusContact, TiesAreExact) {
     enforcement: augmented_lagrangian  # exact, as equations between the nodes
 )");
   const std::string soft = contact(with(two_cubes, "LINEAR\n", "TIED\n"));
-  EXPECT_THAT(soft, HasSubstr("tied: true\n"));
+  EXPECT_THAT(soft, HasSubstr("tied: true\n    tie_distance: 3\n    tie_gap: close\n"));
   EXPECT_THAT(soft, HasSubstr("penalty: 5000 "));
   EXPECT_THAT(error_of(with(tie, "NAME=glue", "CYCLIC SYMMETRY")),
               HasSubstr("CYCLIC SYMMETRY: abut"));

@@ -87,7 +87,8 @@ TEST(Abaqus, FilesAreIncludedWithinTheDataToo) {
 
 TEST(Abaqus, InstancesAreShiftedAndThenTurned) {
   // The upper cube is the same part, turned by a right angle about an edge of the shifted one.
-  const std::string part = cubes.substr(0, cubes.find("11, 0.")) + R"(*ELEMENT, TYPE=C3D8, ELSET=Cube
+  const std::string part =
+      cubes.substr(0, cubes.find("11, 0.")) + R"(*ELEMENT, TYPE=C3D8, ELSET=Cube
 1, 1, 2, 3, 4, 5, 6, 7, 8
 *NSET, NSET=bottom
 1, 2, 3, 4
