@@ -23,7 +23,6 @@ struct Wanted {
   double value = 0.0;
   const Amplitude* amplitude = nullptr;
   bool stays = false;
-  const Demand* demand = nullptr;
 };
 
 class Course {
@@ -103,16 +102,11 @@ private:
     if (run.stays)
       return;
     const double from = model_.start(s), to = model_.start(s + 1);
-    const Amplitude* const a = present_.amplitude;
-    if (a && a->total_time)
+    // What counts the time of a step holds its last value in the next one.
+    if (present_.amplitude && present_.amplitude->total_time)
       follow(run.points, from, to, 0.0);
     else
       append(run.points, to, last_);
-    if (a && !a->total_time && !a->is_constant())
-      report_.add({present_.demand->place.line, "AMPLITUDE=" + a->name, Fate::refused,
-                   "it counts the time of a step, and its condition goes on in the next one, where "
-                   "Abaqus holds the last value and CalculiX begins anew: say it again there, or "
-                   "take TIME=TOTAL TIME"});
   }
 
   void end(std::size_t s) {
@@ -131,7 +125,6 @@ private:
   const Model& model_;
   Kind kind_;
   const std::vector<bool>& renewed_;
-  translation::Report& report_;
   double end_;
   bool active_ = false;
   double last_ = 0.0; ///< value at the end of the last step
@@ -168,11 +161,10 @@ Runs runs_of(const Model& model, const std::vector<Demand>& demands, Kind kind,
     w.value = adds ? w.value + d.value : d.value;
     w.amplitude = a;
     w.stays = d.stays;
-    w.demand = &d;
   }
   Runs runs;
   for (const auto& [key, of_key] : wanted)
-    runs[key] = Course(model, kind, renewed, report).run(of_key);
+    runs[key] = Course(model, kind, renewed).run(of_key);
   return runs;
 }
 
