@@ -76,7 +76,7 @@ private:
     if (p.nodal)
       line("formulation", "node_on_facet");
     if (tied)
-      tie(p, with, primary);
+      tie(p, primary);
     normal(p, with, tied);
     if (!tied) {
       if (with.no_separation)
@@ -90,7 +90,7 @@ private:
     return lines_;
   }
 
-  void tie(const Pair& p, const Interaction& with, const std::string& primary) {
+  void tie(const Pair& p, const std::string& primary) {
     constexpr double farthest = 3.0; // face sizes, as far as abut seeks
     line("tied", "true");
     if (!p.tied) { // CalculiX: all faces that have a partner, as springs without length

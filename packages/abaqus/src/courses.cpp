@@ -27,9 +27,8 @@ struct Wanted {
 
 class Course {
 public:
-  Course(const Model& model, Kind kind, const std::vector<bool>& renewed,
-         translation::Report& report)
-      : model_(model), kind_(kind), renewed_(renewed), report_(report), end_(model.end()) {}
+  Course(const Model& model, Kind kind, const std::vector<bool>& renewed)
+      : model_(model), kind_(kind), renewed_(renewed), end_(model.end()) {}
 
   std::vector<Run> run(const std::map<int, Wanted>& wanted) {
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
