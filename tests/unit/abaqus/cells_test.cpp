@@ -64,7 +64,7 @@ std::string deck_of(const Kind& kind) {
     text << n + 1 << ", " << x[n][0] << ", " << x[n][1] << ", " << x[n][2] << "\n";
   text << "*ELEMENT, TYPE=" << kind.type << ", ELSET=E\n1";
   for (std::size_t n = 0; n < x.size(); ++n)
-    text << ", " << n + 1 << (n == 9 ? ",\n" : "");
+    text << (n == 10 ? ",\n" : ", ") << n + 1;
   text << "\n";
   for (std::size_t f = 0; f < kind.faces.size(); ++f)
     text << "*SURFACE, NAME=F" << f + 1 << "\nE, S" << f + 1 << "\n";

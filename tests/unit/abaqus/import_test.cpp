@@ -139,7 +139,7 @@ moved, 3, 3, -.01
   EXPECT_THAT(at(8), ::testing::Pointwise(::testing::DoubleNear(1e-12), {1., -1., 1.}));
   EXPECT_THAT(at(12), ::testing::Pointwise(::testing::DoubleNear(1e-12), {1., -1., 2.}));
   EXPECT_THAT(s.mesh.node_sets.at("moved"), ElementsAre(12, 13, 14, 15));
-  expect_line(s.deck, "  held: {set: low.bottom, fix: [x, y, z]}");
+  expect_line(s.deck, "  held: {set: held, fix: [x, y, z]}");
   expect_line(s.deck, "    primary: high.bottom");
   expect_line(s.deck, "    enforcement: augmented_lagrangian");
   expect_line(s.deck, "    formulation: node_on_facet");

@@ -53,15 +53,17 @@ FOOT, 1, 3
 )")
                                .deck;
   expect_line(deck, "  FOOT: {set: FOOT, fix: [x, y, z]}");
-  expect_line(deck, "  HEAD_2: {set: held_HEAD, fix: [x, y], until: 1}");
-  expect_line(deck, "  HEAD_3: {set: HEAD, z: -0.01, curve: moves_HEAD, until: 1}");
-  EXPECT_THAT(deck, HasSubstr("18"));
+  expect_line(deck, "  HEAD: {set: held_HEAD, fix: [x, y], until: 1}");
+  expect_line(deck, "  HEAD_2: {set: held_HEAD_2, fix: [x, y]}"); // node 18
+  expect_line(deck, "  HEAD_3: {set: held_HEAD, z: -0.01, curve: moves_HEAD, until: 1}");
+  expect_line(deck, "  HEAD_4: {set: held_HEAD_2, z: -0.01, curve: moves_HEAD_2}");
+  expect_line(deck, "  moves_HEAD_2: [[0, 0], [1, 1], [2, 0]]");
   // A force that is taken away goes down over the step.
-  expect_line(
-      deck,
-      "  force_on_nodes: {force: [5, 0, 0], node_set: loaded_nodes, curve: loads_force_on_nodes}");
-  expect_line(deck, "  loads_force_on_nodes: [[0, 0], [1, 1], [2, 0]]");
-  expect_line(deck, "  loads_force_on_nodes_2: [[0, 0], [1, 0], [2, 1]]");
+  expect_line(deck, "  force_on_nodes_2: {force: [5, 0, 0], node_set: loaded_nodes_2, curve: "
+                    "moves_HEAD_2}");
+  expect_line(deck, "  force_on_nodes: {force: [2, 0, 0], node_set: loaded_nodes, curve: "
+                    "loads_force_on_nodes}");
+  expect_line(deck, "  loads_force_on_nodes: [[0, 0], [1, 0], [2, 1]]");
 }
 
 TEST(AbaqusSteps, FixedHoldsWhereTheNodesAre) {
