@@ -58,7 +58,10 @@ void protect_from_results(const std::string& path) {
 
 void protect_from_import(const std::string& path) {
   const io::FileKind kind = io::kind_of_file(path);
-  if (kind != io::FileKind::none && start_of(path).rfind("# From FEBio's ", 0) != 0)
+  const std::string start = start_of(path);
+  const bool is_imported =
+      start.rfind("# From FEBio's ", 0) == 0 || start.rfind("# From Abaqus or CalculiX: ", 0) == 0;
+  if (kind != io::FileKind::none && !is_imported)
     throw InputError(
         "the imported deck would overwrite '" + path +
         "', which has not been imported; give another --output-dir or remove it first");

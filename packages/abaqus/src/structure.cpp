@@ -11,7 +11,7 @@ namespace abut::abaqus {
 namespace {
 
 /// By Rodrigues' formula: about the axis from a to b, by an angle in degrees.
-void place(Scope& scope, const std::array<double, 3>& shift, const double* a, const double* b,
+void place(Scope& scope, std::array<double, 3> shift, const double* a, const double* b,
            double degrees) {
   constexpr double radian = 0.017453292519943295;
   const double s = std::sin(radian * degrees), c = std::cos(radian * degrees);

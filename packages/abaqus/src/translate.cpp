@@ -71,7 +71,7 @@ Scene translate(const Model& model, const std::string& name, Report report) {
   RigidBodies rigid(parts, displacements, forces);
   std::vector<std::string> materials;
   const std::string file = model.files[0].substr(model.files[0].find_last_of('/') + 1);
-  std::string deck = "# From " + file + " of Abaqus or CalculiX\ntitle: " +
+  std::string deck = "# From Abaqus or CalculiX: " + file + "\ntitle: " +
                      quoted(model.title.empty() ? name : model.title) +
                      "\nmesh: {file: " + quoted(name + ".exo") + "}\n";
   deck += materials_text(parts, materials);

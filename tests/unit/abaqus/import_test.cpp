@@ -18,7 +18,7 @@ TEST(Abaqus, TwoCubesBecomeAMeshAndADeck) {
   ASSERT_EQ(s.mesh.side_sets.at("LID").size(), 1u);
   EXPECT_EQ(s.mesh.side_sets.at("LID")[0].side, 5);
   EXPECT_EQ(s.mesh.side_sets.at("SOLE")[0].side, 4);
-  EXPECT_EQ(s.deck, R"(# From a.inp of Abaqus or CalculiX
+  EXPECT_EQ(s.deck, R"(# From Abaqus or CalculiX: a.inp
 title: a
 mesh: {file: a.exo}
 materials:
