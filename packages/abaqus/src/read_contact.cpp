@@ -137,7 +137,7 @@ void read_adjust(Card& card, Pair& pair, Lookup& lookup, const Scope& scope) {
     return;
   }
   lookup.nodes(card, {card.place(), {}}, *adjust, scope);
-  card.refuse("ADJUST by a node set: abut adjusts by distance, ADJUST=" + std::string("LENGTH"));
+  card.refuse("ADJUST by a node set: abut closes gaps up to a distance; give that");
 }
 
 } // namespace

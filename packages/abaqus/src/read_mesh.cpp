@@ -172,7 +172,7 @@ void read_set(Card& card, const Scope& scope, Lookup& lookup) {
   const std::string name = card.required(of_nodes ? "NSET" : "ELSET");
   const bool generates = card.has("GENERATE");
   card.ignore({"INTERNAL", "UNSORTED"}, "");
-  card.parameter("UNSORTED");
+  card.ignore({"FREQUENCY"}, "a set has none");
   const auto instance = card.parameter("INSTANCE");
   const Scope& from = instance ? lookup.instance(card, *instance) : scope;
   std::vector<int> members;

@@ -91,6 +91,8 @@ private:
     enter(item);
     Card& card = *item.card;
     const Scope& scope = *item.scope;
+    if (const Keyword* k = find_keyword(card.name()); !k || k->why_refused)
+      procedures_.insert(item.step); // perhaps the step's, and refused
     if (card.is("MATERIAL")) {
       read_material(card, model_);
       material_ = &model_.materials.at(key_of(name_of(card, card.required("NAME"))));
@@ -167,8 +169,7 @@ private:
     } else if (card.is("STATIC") || card.is("DYNAMIC")) {
       if (!in_step)
         card.fail("expected within a *STEP");
-      if (!procedures_.insert(item.step).second)
-        card.fail("the step has its procedure already");
+      procedures_.insert(item.step);
       card.is("STATIC") ? read_static(card, model_.steps.back())
                         : read_dynamic(card, model_.steps.back());
     } else if (card.is("TEMPERATURE")) {
@@ -248,7 +249,7 @@ private:
   Model& model_;
   Lookup lookup_;
   int step_ = -1;
-  std::set<int> procedures_; ///< steps that have one
+  std::set<int> procedures_; ///< steps that have one, or what may be one
   Material* material_ = nullptr;
   Interaction* interaction_ = nullptr;
   Card* coupling_ = nullptr;
