@@ -169,6 +169,8 @@ private:
     } else if (card.is("STATIC") || card.is("DYNAMIC")) {
       if (!in_step)
         card.fail("expected within a *STEP");
+      if (!read_.insert(item.step).second)
+        card.fail("the step has its procedure already");
       procedures_.insert(item.step);
       card.is("STATIC") ? read_static(card, model_.steps.back())
                         : read_dynamic(card, model_.steps.back());
@@ -249,6 +251,7 @@ private:
   Model& model_;
   Lookup lookup_;
   int step_ = -1;
+  std::set<int> read_;       ///< steps whose procedure has been read
   std::set<int> procedures_; ///< steps that have one, or what may be one
   Material* material_ = nullptr;
   Interaction* interaction_ = nullptr;
