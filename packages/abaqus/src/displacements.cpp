@@ -30,9 +30,11 @@ struct Origins {
   explicit Origins(const std::vector<Condition>& conditions) {
     for (const Condition& c : conditions)
       for (const int n : c.nodes)
-        for (int i = c.first; i <= c.last; ++i)
-          of.emplace(std::pair(static_cast<long long>(n), i - 1),
-                     std::pair(name_of_set(c.set, "nodes"), c.place));
+        for (int i = c.first; i <= c.last; ++i) {
+          auto& origin = of[{n, i - 1}];
+          if (origin.first.empty() || origin.first == "nodes") // a set says more
+            origin = {name_of_set(c.set, "nodes"), c.place};
+        }
   }
 };
 
