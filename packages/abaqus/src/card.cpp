@@ -153,9 +153,11 @@ double Card::number(const DataLine& line, const std::string& field, const char* 
   const char *first = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0),
              *last = text.data() + text.size();
   const auto end = std::from_chars(first, last, value);
-  if (first == last || end.ec != std::errc() || end.ptr != last || !std::isfinite(value))
+  constexpr double largest = 1e60, least = 1e-60; // products of some of them are numbers still
+  const bool is_number = first != last && end.ec == std::errc() && end.ptr == last;
+  if (!is_number || !(std::abs(value) <= largest))
     fail(line.place, std::string("expected ") + what + ", got " + shown(field));
-  return value;
+  return std::abs(value) < least ? 0.0 : value;
 }
 
 Global Card::whole(const DataLine& line, const std::string& field, const char* what) const {

@@ -256,7 +256,7 @@ void MeshTranslation::number() {
     for (const int e : elements_[b])
       data_.blocks[b].element_id.push_back(model_.elements[std::size_t(e)].label);
   if (!unique || elements.size() != count)
-    say({}, "numbers", Fate::used,
+    say(model_.nodes[0].place, "numbers", Fate::used,
         "instances have the same numbers of nodes or elements: those are numbered anew");
 }
 

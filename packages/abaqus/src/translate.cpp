@@ -34,6 +34,10 @@ int step_count(const DeckParts& parts) {
     parts.say(model.steps[0].place, "*STATIC", Fate::used,
               "a small first increment is a guess: abut begins with " +
                   std::to_string(most_guessed) + " and cuts those that fail; DIRECT asks for all");
+  constexpr double most = 1e6;
+  if (end / size > most)
+    throw InputError(model.where(model.steps[0].place) +
+                     ": *STEP: the smallest increment is less than a millionth of all steps");
   const int count = std::max(1, static_cast<int>(std::lround(end / size)));
   for (int finer = 1; finer <= finest; ++finer) {
     const double steps = finer * count;
@@ -71,8 +75,8 @@ Scene translate(const Model& model, const std::string& name, Report report) {
   RigidBodies rigid(parts, displacements, forces);
   std::vector<std::string> materials;
   const std::string file = model.files[0].substr(model.files[0].find_last_of('/') + 1);
-  std::string deck = "# From Abaqus or CalculiX: " + file + "\ntitle: " +
-                     quoted(model.title.empty() ? name : model.title) +
+  std::string deck = "# From Abaqus or CalculiX: " + file +
+                     "\ntitle: " + quoted(model.title.empty() ? name : model.title) +
                      "\nmesh: {file: " + quoted(name + ".exo") + "}\n";
   deck += materials_text(parts, materials);
   deck += bodies_text(parts, materials, rigid);
