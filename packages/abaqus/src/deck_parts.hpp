@@ -62,6 +62,8 @@ private:
   std::string one(std::size_t r, const Body* blocks, DeckNames& names);
   std::vector<Run> runs(const Runs& all, std::size_t r, int component) const;
   std::string motion(std::size_t r, const std::string& name);
+  std::string hold(const Run& run, std::size_t component, const std::string& name);
+  void add_density(FlowMap& map, const RigidBody& body) const;
 
   DeckParts parts_;
   const Runs& displacements_;

@@ -149,7 +149,9 @@ void MeshTranslation::add_facets() {
   }
 }
 
-void MeshTranslation::extrude(int rigid, const std::vector<int>& facets, bool positive) {
+/// A node behind each one of the facets, as far as their edges are long on average.
+std::map<int, int> MeshTranslation::nodes_behind(const std::vector<int>& facets, bool positive,
+                                                 double& depth) {
   std::map<int, Vec3> normal; // (nodes of the mesh) mean of the facets'
   double edges = 0.0;
   for (const int f : facets) {
@@ -166,7 +168,7 @@ void MeshTranslation::extrude(int rigid, const std::vector<int>& facets, bool po
       edges += norm(x[(a + 1) % n] - x[a]) / n;
     }
   }
-  const double depth = edges / static_cast<double>(facets.size());
+  depth = edges / static_cast<double>(facets.size());
   std::map<int, int> behind;
   for (const auto& [n, direction] : normal) {
     const double length = norm(direction);
@@ -177,6 +179,12 @@ void MeshTranslation::extrude(int rigid, const std::vector<int>& facets, bool po
     for (int i = 0; i < 3; ++i)
       data_.x.push_back(x[i]);
   }
+  return behind;
+}
+
+void MeshTranslation::extrude(int rigid, const std::vector<int>& facets, bool positive) {
+  double depth = 0.0;
+  const std::map<int, int> behind = nodes_behind(facets, positive, depth);
   Body body{-1, rigid, nullptr, {}};
   for (const auto& [nodes, cell] :
        {std::pair(4, fem::CellType::hex8), {3, fem::CellType::wedge6}}) {

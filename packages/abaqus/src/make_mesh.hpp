@@ -62,6 +62,7 @@ private:
   void assign();
   void add_solids();
   void add_facets();
+  std::map<int, int> nodes_behind(const std::vector<int>& facets, bool positive, double& depth);
   void extrude(int rigid, const std::vector<int>& facets, bool positive);
   void number();
   void require_upright(Report& report) const;

@@ -89,6 +89,38 @@ std::vector<Run> RigidBodies::runs(const Runs& all, std::size_t r, int component
   return found == all.end() ? std::vector<Run>() : found->second;
 }
 
+/// What prescribes a component for a time.
+std::string RigidBodies::hold(const Run& run, std::size_t component, const std::string& name) {
+  FlowMap map;
+  if (run.stays || run.is_zero()) {
+    map.add("fix", list_text({components[component]}));
+  } else {
+    const Timed value = parts_.curves.of(run.points, "moves_" + name);
+    map.add(components[component], value.number);
+    if (!value.curve.empty())
+      map.add("curve", value.curve);
+  }
+  add_window(map, parts_.window(run.first, run.last));
+  if (run.stays)
+    map.add("relative", "true");
+  return map.text();
+}
+
+void RigidBodies::add_density(FlowMap& map, const RigidBody& body) const {
+  const Model& model = parts_.model;
+  double density = 0.0;
+  for (const Section& s : model.sections)
+    for (const int e : s.elements)
+      if (!body.elements.empty() && e == body.elements[0] &&
+          model.materials.count(key_of(s.material)))
+        density = model.materials.at(key_of(s.material)).density;
+  if (density > 0.0)
+    map.add("density", density);
+  else
+    parts_.say(body.place, "*RIGID BODY", Fate::refused,
+               "it may move and has no mass: give its solids a *SOLID SECTION with *DENSITY");
+}
+
 std::string RigidBodies::motion(std::size_t r, const std::string& name) {
   const Model& model = parts_.model;
   const RigidBody& body = model.rigid_bodies[r];
@@ -107,22 +139,9 @@ std::string RigidBodies::motion(std::size_t r, const std::string& name) {
     if (whole)
       continue;
     free.emplace_back(components[i]);
-    for (const Run& run : list) {
-      FlowMap map;
-      if (run.stays || run.is_zero()) {
-        map.add("fix", list_text({components[i]}));
-      } else {
-        const Timed value = parts_.curves.of(run.points, "moves_" + name);
-        map.add(components[i], value.number);
-        if (!value.curve.empty())
-          map.add("curve", value.curve);
-      }
-      add_window(map, parts_.window(run.first, run.last));
-      if (run.stays)
-        map.add("relative", "true");
+    for (const Run& run : list)
       holds += "        " + hold_names.make(std::string("hold_") + components[i], "hold") + ": " +
-               map.text() + "\n";
-    }
+               hold(run, i, name) + "\n";
     for (const Run& run : runs(forces_, r, static_cast<int>(i))) {
       loads.number[i] = parts_.curves.of(run.points, "loads_" + name).number;
       loads.course[i] = run.points;
@@ -138,19 +157,8 @@ std::string RigidBodies::motion(std::size_t r, const std::string& name) {
   add_vector(map, "force", loads, 0);
   add_vector(map, "moment", loads, 3);
   add_curves(map, loads, parts_.curves, "loads_" + name, "load_curve");
-  if (model.is_dynamic() && !free.empty()) {
-    double density = 0.0;
-    for (const Section& s : model.sections)
-      for (const int e : s.elements)
-        if (!body.elements.empty() && e == body.elements[0] &&
-            model.materials.count(key_of(s.material)))
-          density = model.materials.at(key_of(s.material)).density;
-    if (density > 0.0)
-      map.add("density", density);
-    else
-      parts_.say(body.place, "*RIGID BODY", Fate::refused,
-                 "it may move and has no mass: give its solids a *SOLID SECTION with *DENSITY");
-  }
+  if (model.is_dynamic() && !free.empty())
+    add_density(map, body);
   if (holds.empty())
     return "    rigid: " + map.text() + "\n";
   return "    rigid:\n" + map.lines("      ") + "      holds:\n" + holds;
