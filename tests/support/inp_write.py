@@ -38,13 +38,12 @@ def listed(numbers):
     return "".join(",\n".join(", ".join(map(str, numbers[i:i + 10])) for i in range(0, len(numbers), 10))) + "\n"
 
 
-def text(mesh, types=None):
-    """Lines of the mesh. types: {block: type of element} where it is not the plain one."""
+def text(mesh):
     out = "*NODE\n" + "".join(f"{n}, {x!r}, {y!r}, {z!r}\n" for n, (x, y, z) in enumerate(mesh.x.tolist(), 1))
     number, kinds = 1, []
     for block in mesh.blocks:
         kind, corners, _ = CELLS[block.kind]
-        out += f"*ELEMENT, TYPE={(types or {}).get(block.name, kind)}, ELSET={block.name}\n"
+        out += f"*ELEMENT, TYPE={kind}, ELSET={block.name}\n"
         for nodes in block.nodes:
             out += listed([number] + [n + 1 for n in ordered(block.kind, nodes, mesh.x)])
             kinds.append(corners)
