@@ -82,6 +82,25 @@ void read_dynamic(Card& card, Step& step) {
       card.refuse(std::string(other) + ": abut has not");
 }
 
+namespace {
+
+/// Between two points x^3 (10 - 15 x + 6 x^2) of the way, in sixteen pieces.
+std::vector<std::array<double, 2>> smooth(const std::vector<std::array<double, 2>>& points) {
+  constexpr int pieces = 16;
+  std::vector<std::array<double, 2>> result = {points[0]};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    for (int k = 1; k <= pieces; ++k) {
+      const auto &a = points[i - 1], &b = points[i];
+      const double x = static_cast<double>(k) / pieces;
+      const double t = k == pieces ? b[0] : a[0] + x * (b[0] - a[0]);
+      if (t > result.back()[0])
+        result.push_back({t, a[1] + x * x * x * (10.0 + x * (6.0 * x - 15.0)) * (b[1] - a[1])});
+    }
+  return result;
+}
+
+} // namespace
+
 void read_amplitude(Card& card, Model& model) {
   card.use();
   Amplitude a;
@@ -93,9 +112,10 @@ void read_amplitude(Card& card, Model& model) {
   const std::string kind =
       card.word("DEFINITION", {"TABULAR", "SMOOTH STEP", "PERIODIC", "DECAY", "MODULATED", "USER"},
                 "TABULAR");
-  if (kind != "TABULAR") {
+  if (kind != "TABULAR" && kind != "SMOOTH STEP") {
     if (!kind.empty())
-      card.refuse("DEFINITION=" + kind + ": abut's curves are linear between points, TABULAR");
+      card.refuse("DEFINITION=" + kind +
+                  ": abut's curves are linear between points, TABULAR or SMOOTH STEP");
     a.points = {{0.0, 0.0}}; // what names it shall still find it
     model.amplitudes.emplace(key_of(a.name), std::move(a));
     return;
@@ -113,6 +133,8 @@ void read_amplitude(Card& card, Model& model) {
   }
   if (a.points.empty())
     card.fail("expected a line of times and factors");
+  if (kind == "SMOOTH STEP")
+    a.points = smooth(a.points);
   require_new(card, model.amplitudes, a.name);
   model.amplitudes.emplace(key_of(a.name), std::move(a));
 }

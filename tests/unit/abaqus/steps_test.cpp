@@ -110,6 +110,21 @@ HEAD, 3, 3
               HasSubstr("loads_LID: [[0, 0], [1, 0], [1.5, 1], [2, 0], [3, 0]]"));
 }
 
+TEST(AbaqusSteps, SmoothStepsAreSixteenPieces) {
+  const std::string deck = scene_of(before + held + R"(*AMPLITUDE, NAME=soft, DEFINITION=SMOOTH STEP
+0., 0., 1., 1.
+*STEP
+*STATIC
+*BOUNDARY, AMPLITUDE=soft
+HEAD, 3, 3, -.01
+*END STEP
+)")
+                               .deck;
+  EXPECT_THAT(deck, HasSubstr("moves_HEAD: [[0, 0], [0.0625, "));
+  EXPECT_THAT(deck, HasSubstr("[0.5, 0.5]")); // half of the way at half of the time
+  EXPECT_THAT(deck, HasSubstr("[1, 1]]"));
+}
+
 TEST(AbaqusSteps, LoadsOfOneStepAddUp) {
   const std::string deck = scene_of(before + held + R"(*STEP, AMPLITUDE=STEP
 *STATIC
