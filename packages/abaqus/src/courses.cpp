@@ -172,9 +172,11 @@ Timed Curves::of(const Points& points, const std::string& name) {
   for (const auto& p : points)
     if (std::abs(p[1]) > std::abs(number))
       number = p[1];
+  if (number == 0.0)
+    return {};
   Points unit;
   for (const auto& p : points) {
-    const double value = number == 0.0 ? 0.0 : p[1] / number;
+    const double value = p[1] / number;
     const auto n = unit.size();
     if (n > 1 && unit[n - 1][1] == value && unit[n - 2][1] == value)
       unit[n - 1][0] = p[0];

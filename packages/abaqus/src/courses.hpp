@@ -53,7 +53,7 @@ enum class Kind { displacement, load };
 Runs runs_of(const Model& model, const std::vector<Demand>& demands, Kind kind,
              Renewal::Kind renewal, translation::Report& report);
 
-/// A number and a curve for it; an empty name is t itself.
+/// A number and a curve for it; an empty name is t itself, or of a zero none.
 struct Timed {
   double number = 0.0;
   std::string curve;
