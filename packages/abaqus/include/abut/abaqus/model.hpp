@@ -230,7 +230,7 @@ struct Model {
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Step> steps;
 
-  const int* nodes_of(const Element& e) const { return &element_nodes[e.first]; }
+  const int* nodes_of(const Element& e) const { return element_nodes.data() + e.first; }
   /// Total time at which a step begins; that after the last one is the end.
   double start(std::size_t step) const;
   double end() const { return start(steps.size()); }
