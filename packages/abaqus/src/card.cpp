@@ -272,7 +272,8 @@ std::size_t Cards::keyword(int file, std::string_view text, std::size_t at, long
   const std::vector<std::string> fields = DataLine{place, words}.fields();
   const std::string name = key_of(fields[0].substr(1));
   const Keyword* known = find_keyword(name);
-  Card card(files_, place, known ? known->name : name, known != nullptr);
+  constexpr std::size_t longest_name = 80, longest_value = 1000; // what is longer is no word
+  Card card(files_, place, known ? known->name : name.substr(0, longest_name), known != nullptr);
   for (std::size_t i = 1; i < fields.size(); ++i) {
     const std::size_t equals = fields[i].find('=');
     const std::string key = fields[i].substr(0, equals);
@@ -280,7 +281,9 @@ std::size_t Cards::keyword(int file, std::string_view text, std::size_t at, long
       continue;
     std::string value = equals == std::string::npos ? "" : fields[i].substr(equals + 1);
     value.erase(0, std::min(value.find_first_not_of(" \t"), value.size()));
-    card.add_parameter(key, std::move(value));
+    if (value.size() > longest_value)
+      card.fail("expected a value of at most a thousand letters");
+    card.add_parameter(key.substr(0, longest_name), std::move(value));
   }
   const bool includes = card.is("INCLUDE");
   cards_.push_back(std::move(card));

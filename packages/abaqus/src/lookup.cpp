@@ -15,6 +15,12 @@ bool is_number(const std::string& text) {
                                       [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
+/// Of a name, what a message has room for.
+std::string shown(const std::string& name) {
+  constexpr std::size_t longest = 80;
+  return name.substr(0, longest);
+}
+
 template <class Map> std::string nearest(const std::string& key, const Map& map) {
   std::vector<std::string> names;
   for (const auto& entry : map)
@@ -69,8 +75,8 @@ std::vector<int> Lookup::members(const Card& card, const DataLine& line, const s
     if (dot != std::string::npos && s->prefix == key.substr(0, dot + 1) &&
         is_number(key.substr(dot + 1)))
       return numbered(*s, key.substr(dot + 1));
-  card.fail(line.place,
-            std::string("there is no ") + what + " set '" + field + "'; " + nearest(field, sets));
+  card.fail(line.place, std::string("there is no ") + what + " set '" + shown(field) + "'; " +
+                            nearest(shown(field), sets));
 }
 
 int Lookup::node(const Card& card, const std::string& field, const Scope& scope) const {
@@ -98,7 +104,8 @@ std::string Lookup::surface_key(const Card& card, const Place& at, const std::st
   for (const std::string& key : {scope.prefix + key_of(name), key_of(name)})
     if (model_.surfaces.count(key))
       return key;
-  card.fail(at, "there is no surface '" + name + "'; " + nearest(name, model_.surfaces));
+  card.fail(at,
+            "there is no surface '" + shown(name) + "'; " + nearest(shown(name), model_.surfaces));
 }
 
 const Surface& Lookup::surface(const Card& card, const Place& at, const std::string& name,
