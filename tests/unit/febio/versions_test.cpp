@@ -77,7 +77,7 @@ TEST(Versions, MessagesHaveTheLineAndTheWordOfTheFile) {
       replaced(model_2_5(), "<prescribe", "<linear_constraint node=\"1\" bc=\"x\"/>\n<prescribe");
   EXPECT_EQ(error_of(more), "m.feb:" + line + ": Boundary/linear_constraint: not supported here");
   EXPECT_NE(error_of(replaced(model_2_0(), "bc=\"xyz\"", "bc=\"xyz\" color=\"red\""))
-                .find("Boundary/fix 'hold': attribute 'color' is not supported here"),
+                .find("Boundary/fix: attribute 'color' is not supported here"),
             std::string::npos);
   EXPECT_NE(error_of(replaced(model_2_5(), "mat=\"1\"", "mat=\"5\""))
                 .find("<Elements>: there is no material '5'; valid: soft one, plate"),
@@ -97,8 +97,8 @@ TEST(Versions, NodeListsOf20BecomeSets) {
             "displacements:\n"
             "  fixed: {set: fixed, fix: [x]}\n"
             "  fixed_2: {set: fixed_2, fix: [y, z]}\n"
-            "  prescribed: {set: prescribed, z: 0.5, curve: LC1}\n"
-            "  prescribed_2: {set: prescribed_2, z: -0.1, curve: LC1}\n");
+            "  moved: {set: prescribed, z: 0.5, curve: LC1}\n"
+            "  moved_2: {set: prescribed_2, z: -0.1, curve: LC1}\n");
   EXPECT_EQ(scene.mesh.node_sets.at("prescribed"), (std::vector<Global>{4, 6}));
   EXPECT_EQ(scene.mesh.node_sets.at("prescribed_2"), (std::vector<Global>{5}));
 }
