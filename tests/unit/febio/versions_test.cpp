@@ -145,6 +145,28 @@ TEST(Versions, StepsOf25AreStepsOf40) {
   EXPECT_NE(scene_of(old).deck.find("until: 1"), std::string::npos);
 }
 
+// Curve 1 has points at 0, 1, 2: steps of 0.75 must be finer to meet 1.
+TEST(Versions, MustPointsNeedNoNumber) {
+  const std::string coarse = replaced(replaced(model_2_5(), "<time_steps>4", "<time_steps>2"),
+                                      "<step_size>0.5", "<step_size>0.75");
+  EXPECT_NE(scene_of(coarse).deck.find("steps: 2}"), std::string::npos);
+  EXPECT_NE(scene_of(replaced(coarse, "<max_refs>",
+                              "<time_stepper><dtmax lc=\"1\"></dtmax></time_stepper><max_refs>"))
+                .deck.find("steps: 6}"),
+            std::string::npos);
+}
+
+TEST(Versions, DataOfNodesAreRefused) {
+  EXPECT_NE(error_of(replaced(model_2_5(), "<value>0.1</value>", "<value node_data=\"d\"/>"))
+                .find("Boundary/prescribe/value: data of each node: abut has one value for all "
+                      "nodes of a set"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of(replaced(model_2_5(), "<scale lc=\"1\">1</scale>", "<scale lc=\"1\">2</scale>"))
+          .find("both <scale> and <value> are other than 1"),
+      std::string::npos);
+}
+
 TEST(Versions, DynamicsOf25) {
   const std::string text =
       replaced(replaced(model_2_5(), "type=\"static\"", "type=\"dynamic\""), "<Loads>",
