@@ -177,6 +177,30 @@ TEST(Versions, DynamicsOf25) {
   EXPECT_NE(deck.find("dynamics:"), std::string::npos);
 }
 
+TEST(Versions, VelocitiesOfRigidBodies) {
+  const std::string moving = replaced(replaced(model_2_5(), "type=\"static\"", "type=\"dynamic\""),
+                                      "<force bc=\"y\" lc=\"1\">0.5</force>",
+                                      "<initial_velocity>0,3,0</initial_velocity>");
+  const std::string expected = "initial_velocity: [0, 3, 0]";
+  EXPECT_NE(section(scene_of(moving).deck, "bodies").find(expected), std::string::npos);
+  const std::string apart =
+      replaced(replaced(moving, "<initial_velocity>0,3,0</initial_velocity>", ""), "<Loads>",
+               "<Initial><rigid_body mat=\"2\"><initial_velocity>0,3,0</initial_velocity>"
+               "</rigid_body></Initial><Loads>");
+  EXPECT_EQ(scene_of(apart).deck, scene_of(moving).deck);
+}
+
+TEST(Versions, RotationsChangeTheirWord) {
+  const std::string turned = replaced(model_2_5(), "<prescribed bc=\"z\" lc=\"2\">-0.2",
+                                      "<prescribed bc=\"Rx\" lc=\"2\" type=\"relative\">0.7");
+  const std::string deck =
+      scene_of(replaced(turned, "<fixed bc=\"Rx\"/>", "<fixed bc=\"z\"/>")).deck;
+  EXPECT_NE(section(deck, "bodies").find("rotation: [0.7, 0, 0]"), std::string::npos) << deck;
+  EXPECT_NE(error_of(replaced(turned, "bc=\"Rx\" lc", "bc=\"Ru\" lc"))
+                .find("<prescribed>: expected x, y, z, Rx, Ry or Rz as bc, got 'Ru'"),
+            std::string::npos);
+}
+
 TEST(Versions, WallsAndJointsHaveMoved) {
   const std::string wall =
       replaced(model_2_5(), "</contact></Contact>",
