@@ -201,6 +201,33 @@ TEST(Versions, RotationsChangeTheirWord) {
             std::string::npos);
 }
 
+// The plate as a rigid sheet whose thickness counts for its weight alone.
+TEST(Versions, RigidShellsAndTheirThickness) {
+  const auto sheet = [](const std::string& text, const std::string& attributes,
+                        const std::string& before, const std::string& data) {
+    const std::string solid = "<Elements type=\"hex8\" " + attributes +
+                              "><elem id=\"9\">11,12,13,14,15,16,17,18</elem>",
+                      shell = "<Elements type=\"quad4\" " + attributes +
+                              "><elem id=\"9\">11,12,13,14</elem>";
+    return replaced(replaced(text, solid, shell), before, data + before);
+  };
+  const std::string data = "<ElementData var=\"shell thickness\" elem_set=\"upper\"><elem "
+                           "lid=\"1\">0.1,0.1,0.1,0.1</elem></ElementData>";
+  const Scene newer = scene_of(sheet(model_2_5(), "name=\"upper\" mat=\"plate\"", "<Boundary>",
+                                     "<MeshData>" + data + "</MeshData>"));
+  const Scene older =
+      scene_of(sheet(model_2_0(), "elset=\"upper\" mat=\"2\"", "</Geometry>",
+                     "<ElementData><element id=\"9\"><thickness>0.1,0.1,0.1,0.1</thickness>"
+                     "</element></ElementData>"));
+  EXPECT_EQ(newer.deck, older.deck);
+  EXPECT_TRUE(same_mesh(newer.mesh, older.mesh));
+  EXPECT_NE(newer.deck.find("free: [y]"), std::string::npos) << newer.deck;
+  const std::string fibers = sheet(model_2_0(), "elset=\"upper\" mat=\"2\"", "</Geometry>",
+                                   "<ElementData><element id=\"7\"><fiber>1,0,0</fiber></element>"
+                                   "</ElementData>");
+  EXPECT_NE(error_of(fibers).find("Geometry/ElementData: not supported here"), std::string::npos);
+}
+
 TEST(Versions, WallsAndJointsHaveMoved) {
   const std::string wall =
       replaced(model_2_5(), "</contact></Contact>",
