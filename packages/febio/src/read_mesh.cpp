@@ -357,7 +357,8 @@ void read_mesh_domains(Element section, Model& model) {
       part.refuse("its elements are shells: expected <ShellDomain>");
     const std::string type = part.attribute_or("type", "");
     const bool uncoupled = material.numbers.count("k") > 0;
-    if (!type.empty() && type != (uncoupled ? "three-field-solid" : "elastic-solid"))
+    const bool rigid = material.is_rigid() && type == "rigid-solid";
+    if (!type.empty() && !rigid && type != (uncoupled ? "three-field-solid" : "elastic-solid"))
       part.refuse("type '" + type +
                   "': abut takes displacement elements, and for uncoupled "
                   "materials in hex8 those with a mean dilatation");

@@ -35,7 +35,8 @@ TEST(Words, TrueIsNoNumber) {
 
 TEST(Words, RigidBodiesByNumber) {
   const auto held = [](const std::string& body) {
-    return scene_with({{29, "<SolidDomain name=\"upper\" mat=\"plate\"/></MeshDomains>"},
+    return scene_with({{29, "<SolidDomain name=\"upper\" mat=\"plate\" type=\"rigid-solid\"/>"
+                            "</MeshDomains>"},
                        {33, ""},
                        {34, ""},
                        {36, "<Rigid><rigid_bc type=\"rigid_fixed\"><rb>" + body +
