@@ -57,6 +57,22 @@ class OneFile(Folder):
             with self.assertRaisesRegex(InputError, words):
                 ask()
 
+    def test_step_that_was_not_written_in_full_is_left_out(self):
+        mesh, *_ = result_file.bricks()
+        exodus_edit.write(self.folder / "many.exo", mesh)
+        result_file.put_fields(self.folder / "many.exo", [0, 1], {f"field{i}": np.full((2, 16), i) for i in range(200)})
+        whole, step = (self.folder / "many.exo").read_bytes(), 200 * 16 * 8
+        cut = self.folder / "cut.exo"
+        cut.write_bytes(whole[:-step])
+        results = Results(cut)
+        np.testing.assert_array_equal(results.times, [0])
+        self.assertEqual(results.nodal("field7").max(), 7)
+        with self.assertRaisesRegex(InputError, "holds 1 steps"):
+            results.nodal("field7", 1)
+        cut.write_bytes(whole[:len(whole) // 3])
+        with self.assertRaisesRegex(InputError, "cut.exo: is damaged"):
+            Results(cut)
+
     def test_scene_knows_pressed_faces_alone(self):
         model = scene.read(self.results)
         self.assertEqual(len(model.skin), 12)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One Exodus file. Reads only what is asked for."""
+import os
+
 import netCDF4
 import numpy as np
 
@@ -24,6 +26,7 @@ class ExodusFile:
         self._data.set_auto_mask(False)
         if "num_dim" not in self._data.dimensions or "time_step" not in self._data.dimensions:
             raise InputError(f"{path}: is a NetCDF file, but not of Exodus")
+        self._steps = self._whole_steps()
 
     @property
     def title(self):
@@ -32,7 +35,7 @@ class ExodusFile:
     @property
     def times(self):
         """Load parameter t of each written step."""
-        return self._array("time_whole")
+        return self._array("time_whole")[:self._steps]
 
     @property
     def coordinates(self):
@@ -64,7 +67,7 @@ class ExodusFile:
 
     def nodal(self, name, step=-1):
         """(nodes,) values of a nodal variable."""
-        return self._data[f"vals_nod_var{self._number('nod_var', name)}"][step]
+        return self._data[f"vals_nod_var{self._number('nod_var', name)}"][self._step(step)]
 
     def vector(self, name, step=-1):
         """(nodes, 3) from name_x, name_y, name_z."""
@@ -73,17 +76,17 @@ class ExodusFile:
     def element(self, name, block, step=-1):
         """(elements of the block,) values of an element variable; the block is given by name."""
         variable = f"vals_elem_var{self._number('elem_var', name)}eb{self._number('eb', block)}"
-        return self._data[variable][step] if variable in self._data.variables else np.zeros(0)
+        return self._data[variable][self._step(step)] if variable in self._data.variables else np.zeros(0)
 
     def globals(self, step=-1):
         """All global variables by name."""
         names = self.names("glo_var")
-        return dict(zip(names, self._data["vals_glo_var"][step])) if names else {}
+        return dict(zip(names, self._data["vals_glo_var"][self._step(step)])) if names else {}
 
     def global_columns(self):
         """All global variables over the steps: {name: (steps,)}."""
         names = self.names("glo_var")
-        return dict(zip(names, self._data["vals_glo_var"][:].T)) if names else {}
+        return dict(zip(names, self._data["vals_glo_var"][:self._steps].T)) if names else {}
 
     def kind(self, block):
         """Type of the elements of a block as Exodus writes it: HEX8, TETRA10, ..."""
@@ -102,6 +105,27 @@ class ExodusFile:
     def side_set(self, name):
         """Elements, from 0 through all blocks, and their sides, from 1 as Exodus numbers them."""
         return self._members("elem_ss", "ss", name) - 1, self._members("side_ss", "ss", name)
+
+    def _whole_steps(self):
+        """Steps that the file holds in full: of what is missing at its end, NetCDF would make zeros."""
+        steps = self._size("time_step")
+        if not self._data.data_model.startswith("NETCDF3"):
+            return steps
+        fixed = each = 0
+        for variable in self._data.variables.values():
+            of_step = variable.dimensions[:1] == ("time_step",)
+            size = variable.dtype.itemsize * int(np.prod(variable.shape[of_step:]))
+            fixed, each = (fixed, each + size) if of_step else (fixed + size, each)
+        there = os.path.getsize(self.path)
+        if there < fixed + max(steps - 1, 0) * each:
+            raise InputError(f"{self.path}: is damaged: at least {fixed + steps * each} bytes expected, {there} are there")
+        return steps if there >= fixed + steps * each else steps - 1
+
+    def _step(self, step):
+        """From 0; raises InputError for a step that is not there."""
+        if not -self._steps <= step < self._steps:
+            raise InputError(f"{self.path}: holds {self._steps} steps, not number {step}")
+        return step % self._steps
 
     def _array(self, variable):
         return self._data[variable][:]
