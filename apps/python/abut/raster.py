@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 SAMPLES_PER_PIXEL = 1.5  # along an edge: no pixel of a face is left out
+MOST_SAMPLES = 256       # along an edge of a piece
 CHUNK = 1_000_000        # samples at a time
 
 
@@ -61,60 +62,106 @@ class Seen:
     depth: np.ndarray  # nearness to the viewer
 
 
+@dataclass
+class Pieces:
+    """Squares of the faces' (u, v) with corners and bulges of their own, in pixels."""
+    face: np.ndarray     # (P,)
+    low: np.ndarray      # (P, 2) u and v of corner 0
+    size: float          # of u and v
+    corners: np.ndarray  # (P, 4, 3)
+    bulges: object       # (P, 4, 3), None: straight
+
+    def part(self, chosen):
+        return Pieces(self.face[chosen], self.low[chosen], self.size, self.corners[chosen],
+                      None if self.bulges is None else self.bulges[chosen])
+
+
 def look(corners, bulges, frame, cull=True):
     """What is seen of faces with projected corners (F, 4, 3). Returns Seen.
 
     bulges (F, 4, 3): how far the middles of the edges 01, 12, 23, 30 are from the straight; None: all are straight.
     cull: leave out faces that turn their back to the viewer.
     """
-    pixels = np.array(corners, float)
-    pixels[..., 0] = (pixels[..., 0] - frame.left) / frame.unit
-    pixels[..., 1] = (pixels[..., 1] - frame.bottom) / frame.unit
     scale = np.array([1 / frame.unit, 1 / frame.unit, 1.0])
+    pixels = (np.asarray(corners, float) - [frame.left, frame.bottom, 0.0]) * scale
+    pieces = Pieces(np.arange(len(pixels)), np.zeros((len(pixels), 2)), 1.0, pixels,
+                    None if bulges is None else np.asarray(bulges) * scale)
+    if cull:
+        pieces = pieces.part(_faces_viewer(pixels))
     count = frame.width * frame.height
     seen = Seen(np.full(count, -1, np.int32), np.zeros(count, np.float32), np.zeros(count, np.float32),
                 np.full(count, -np.inf))
-    faces = np.flatnonzero(_may_be_seen(pixels, frame, cull))
-    samples = _sample_counts(pixels[faces])
-    kinds, kind = np.unique(samples, axis=0, return_inverse=True)
-    for i, (m, n) in enumerate(kinds):
-        group = faces[kind == i]
-        for part in np.array_split(group, -(-len(group) * m * n // CHUNK)):
-            _put(seen, part, pixels[part], None if bulges is None else bulges[part] * scale, m, n, frame)
+    while len(pieces.face):
+        pieces = pieces.part(_in_frame(pieces, frame))
+        samples = _sample_counts(pieces.corners)
+        large = samples.max(axis=1, initial=0) > MOST_SAMPLES
+        _put_all(seen, pieces.part(~large), samples[~large], frame)
+        pieces = _quarters(pieces.part(large))  # most of a face may be outside of the frame
     shape = frame.height, frame.width
     return Seen(*(a.reshape(shape) for a in (seen.face, seen.u, seen.v, seen.depth)))
 
 
-def _may_be_seen(pixels, frame, cull):
-    """Inside of the frame, and turned to the viewer."""
-    low, high = pixels[..., :2].min(axis=1), pixels[..., :2].max(axis=1)
-    inside = (high[:, 0] >= 0) & (low[:, 0] < frame.width) & (high[:, 1] >= 0) & (low[:, 1] < frame.height)
-    if not cull:
-        return inside
+def _faces_viewer(pixels):
     a, b = pixels[:, 2] - pixels[:, 0], pixels[:, 3] - pixels[:, 1]
-    return inside & (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > 0)
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > 0
+
+
+def _in_frame(pieces, frame):
+    flat = pieces.corners[..., :2]
+    slack = 0.0 if pieces.bulges is None else np.abs(pieces.bulges).max(axis=(1, 2), initial=0.0)[:, None]
+    low, high = flat.min(axis=1) - slack, flat.max(axis=1) + slack
+    return ((high >= 0) & (low < [frame.width, frame.height])).all(axis=1)
 
 
 def _sample_counts(pixels):
-    """(F, 2) samples along u and v, of few different numbers."""
+    """(P, 2) samples along u and v, of few different numbers."""
     def longest(first, second):
         return np.maximum(*(np.linalg.norm(pixels[:, b, :2] - pixels[:, a, :2], axis=1) for a, b in (first, second)))
 
     lengths = np.stack([longest((0, 1), (3, 2)), longest((0, 3), (1, 2))], axis=1)
     needed = np.maximum(SAMPLES_PER_PIXEL * lengths, 1.0)
-    return np.ceil(2 ** (np.ceil(2 * np.log2(needed)) / 2)).astype(int)
+    return np.ceil(2 ** (np.ceil(2 * np.log2(needed)) / 2)).astype(np.int64)
 
 
-def _put(seen, faces, pixels, bulges, m, n, frame):
-    """Puts m x n samples of each of the faces where they are nearer than what is there."""
+def _place(u, v, pieces):
+    """(3, P, S) points of the pieces at u, v (S,) within them."""
+    shape = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v])
+    x = np.einsum("as,pad->dps", shape, pieces.corners)
+    if pieces.bulges is not None:
+        bubble = 4 * np.stack([u * (1 - u) * (1 - v), u * v * (1 - v), u * (1 - u) * v, (1 - u) * v * (1 - v)])
+        x += np.einsum("as,pad->dps", bubble, pieces.bulges)
+    return x
+
+
+def _quarters(pieces):
+    parts = []
+    for low in ((0, 0), (0.5, 0), (0.5, 0.5), (0, 0.5)):
+        u, v = np.array([0, 1, 1, 0]) / 2 + low[0], np.array([0, 0, 1, 1]) / 2 + low[1]
+        corners = _place(u, v, pieces).transpose(1, 2, 0)
+        bulges = None
+        if pieces.bulges is not None:
+            middle = _place((u + np.roll(u, -1)) / 2, (v + np.roll(v, -1)) / 2, pieces).transpose(1, 2, 0)
+            bulges = middle - (corners + np.roll(corners, -1, axis=1)) / 2
+        parts.append((pieces.face, pieces.low + pieces.size * np.array(low), corners, bulges))
+    face, low, corners, bulges = zip(*parts)
+    return Pieces(np.concatenate(face), np.concatenate(low), pieces.size / 2, np.concatenate(corners),
+                  None if pieces.bulges is None else np.concatenate(bulges))
+
+
+def _put_all(seen, pieces, samples, frame):
+    """Puts the samples (P, 2) of pieces, those of one number together."""
+    kinds, kind = np.unique(samples, axis=0, return_inverse=True)
+    for i, (m, n) in enumerate(kinds):
+        group = np.flatnonzero(kind == i)
+        for part in np.array_split(group, -(-len(group) * m * n // CHUNK)):
+            _put(seen, pieces.part(part), m, n, frame)
+
+
+def _put(seen, pieces, m, n, frame):
+    """Puts m x n samples of each piece where they are nearer than what is there."""
     u, v = ((np.arange(k) + 0.5) / k for k in (m, n))
     u, v = (a.ravel() for a in np.meshgrid(u, v, indexing="ij"))
-    shape = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v])
-    x = np.einsum("as,fad->dfs", shape, pixels)
-    if bulges is not None:
-        bubble = 4 * np.stack([u * (1 - u) * (1 - v), u * v * (1 - v), u * (1 - u) * v, (1 - u) * v * (1 - v)])
-        x += np.einsum("as,fad->dfs", bubble, bulges)
-    x = x.reshape(3, -1)
+    x = _place(u, v, pieces).reshape(3, -1)
     column, row = np.floor(x[0]).astype(np.int64), np.floor(x[1]).astype(np.int64)
     kept = np.flatnonzero((column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height))
     place = row[kept] * frame.width + column[kept]
@@ -122,9 +169,11 @@ def _put(seen, faces, pixels, bulges, m, n, frame):
     kept, place = kept[nearer], place[nearer]
     order = np.argsort(x[2][kept], kind="stable")  # of several in one pixel the last, the nearest, stays
     kept, place = kept[order], place[order]
+    piece, sample = kept // len(u), kept % len(u)
     seen.depth[place] = x[2][kept]
-    seen.face[place] = faces[kept // len(u)]
-    seen.u[place], seen.v[place] = u[kept % len(u)], v[kept % len(u)]
+    seen.face[place] = pieces.face[piece]
+    seen.u[place] = pieces.low[piece, 0] + pieces.size * u[sample]
+    seen.v[place] = pieces.low[piece, 1] + pieces.size * v[sample]
 
 
 def between_corners(seen, values):

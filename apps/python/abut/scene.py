@@ -7,7 +7,7 @@ import numpy as np
 from . import skin as skins
 from .raster import View
 
-THIN = 0.15  # of the longest extent: a model that is a slice
+THIN = 0.25  # of the extent across: a model that is a slice
 
 
 @dataclass
@@ -28,6 +28,12 @@ class Scene:
     @property
     def corners(self):
         return self.x[self.skin.corners]
+
+    @property
+    def faces_of_contact(self):
+        """(F,) those that are pressed or may be: contact looks at all of their corners."""
+        looked_at = (self.status > 0) | (self.gap != 0)
+        return self.pressed | looked_at[self.skin.corners].all(axis=1)
 
     @property
     def bulges(self):
@@ -74,9 +80,9 @@ def view_of(x):
     """An oblique view from the right, front and above; of a slice, nearly along its thin direction."""
     extent = np.ptp(x, axis=0)
     thin = int(np.argmin(extent))
+    if extent[thin] > THIN * np.sort(extent)[1]:
+        return View((0.7, -1.0, 0.55), (0, 0, 1))
     upward = np.eye(3)[1 if thin == 2 else 2]
-    if extent[thin] > THIN * extent.max():
-        return View((0.7, -1.0, 0.55), upward)
     toward = np.full(3, 0.22)
     toward[thin] = 1.0
     return View(toward * np.where(np.arange(3) == 1, -1, 1), upward)

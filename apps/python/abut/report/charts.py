@@ -53,7 +53,7 @@ def energies(columns):
     figure, (panel,) = _panels(1)
     for name, label in known.items():
         if np.max(np.abs(columns[name])) > NOTHING * largest:
-            panel.plot(columns["t"], columns[name], marker=_marker(columns["t"]), markersize=3, label=label,
+            panel.plot(columns["t"], columns[name], marker=_marker(columns["t"]), markersize=2.5, label=label,
                        linestyle="--" if name == "work_in" else "-", linewidth=2.2 if name == "work_in" else 1.4)
     _finish(panel, "energy", "energy (model units)")
     return png(figure)
@@ -75,8 +75,11 @@ def contact_numbers(columns):
 
 
 def iterations(steps):
-    """Newton iterations and augmentations of each step as bars, cuts marked. steps: see convergence.steps_of."""
-    if not steps:
+    """Newton iterations and augmentations of each step as bars, cuts marked; None where no step needed any.
+
+    steps: see convergence.steps_of.
+    """
+    if not any(step["newton_iterations"] or step["cut_backs"] for step in steps):
         return None
     figure, (panel,) = _panels(1, wide=True)
     number = np.array([step["step"] for step in steps])
@@ -92,9 +95,10 @@ def iterations(steps):
         for place, height, times in cut if len(cut) <= 40 else []:
             panel.annotate(str(times), (place, height), textcoords="offset points", xytext=(0, 6), ha="center",
                            fontsize=7, color="#c0392b")
+    panel.set_xlim(number[0] - 0.6, number[-1] + 0.6)
     panel.set_ylim(0, max(1.0, 1.18 * newton.max()))
-    panel.xaxis.set_major_locator(MaxNLocator(integer=True))
-    panel.yaxis.set_major_locator(MaxNLocator(integer=True))
+    panel.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    panel.yaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
     _finish(panel, "", "count", "step")
     return png(figure)
 
@@ -108,7 +112,7 @@ def residuals(steps, failed):
     solves += [(None, solve) for solve in failed]
     while len(solves) > 1 and sum(len(solve) for _, solve in solves) > MOST_ITERATIONS:
         solves.pop(0)
-    if not solves:
+    if not any(value for _, solve in solves for value in solve):  # a start in balance has none
         return None
     figure, (panel,) = _panels(1, wide=True)
     place, before, labelled = 0, "", set()
@@ -126,7 +130,7 @@ def residuals(steps, failed):
                                xycoords=("data", "axes fraction"))
         before = step
         place += len(solve)
-    panel.xaxis.set_major_locator(MaxNLocator(integer=True))
+    panel.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
     first = "" if len(solves) == sum(len(s.get("residuals", [])) for s in steps) + len(failed) else ", of the last solves"
     _finish(panel, "", "residual / reference force", f"Newton iterate{first} (grey: step)")
     return png(figure)

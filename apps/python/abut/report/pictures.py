@@ -17,6 +17,8 @@ STATUS_COLORS = ("#d5d8dc", "#f28e2b", "#4e79a7")
 LIGHT = np.array([-0.35, 0.5, 0.8]) / np.linalg.norm([-0.35, 0.5, 0.8])  # right, up, to the viewer
 THROUGH = 0.6       # of the colour of contact that lies behind
 MOST_SURFACES = 4
+SMALL = 0.15        # of the model: contact that wants a picture of its own
+NEAR_MARGIN = 0.3   # around it
 CLOSED = 0.35       # mean normals shorter than that are of surfaces that turn around
 HEAD, FOOT = 40, 84    # pixels above and below the surfaces
 NO_PRESSURE = 1e-3  # of the largest
@@ -32,11 +34,12 @@ def color_map(name):
     return matplotlib.colormaps[name]
 
 
-def deformed(scene, by="pressure"):
-    """The whole deformed model; by: pressure of contact, seen through the bodies, or von_mises."""
+def deformed(scene, by="pressure", near=False):
+    """The deformed model; by: pressure of contact, seen through the bodies, or von_mises; near: around the contact."""
     width, height = 860, 620
     view = scenes.view_of(scene.corners.reshape(-1, 3))
-    frame = raster.Frame.around(view.project(scene.x[np.unique(scene.skin.corners)]), width, height)
+    points = view.project(scene.corners[scene.pressed] if near else scene.corners)
+    frame = raster.Frame.around(points, width, height, margin=NEAR_MARGIN if near else 0.04)
     image, scale, label = (_by_pressure if by == "pressure" else _by_von_mises)(scene, view, frame.finer(FINER))
     figure = Figure(figsize=((width + 130) / DPI, height / DPI))
     axes = figure.add_axes((0, 0, width / (width + 130), 1))
@@ -47,12 +50,21 @@ def deformed(scene, by="pressure"):
     return png(figure)
 
 
+def contact_is_small(scene):
+    """Whether what is pressed can hardly be seen in a picture of the whole."""
+    if not scene.pressed.any():
+        return False
+    size = [np.linalg.norm(np.ptp(x.reshape(-1, 3), axis=0)) for x in (scene.corners[scene.pressed], scene.corners)]
+    return size[0] < SMALL * size[1]
+
+
 def surfaces_in_contact(scene):
-    """[(name of the block, faces)] that are pressed on, the largest area first."""
+    """[(name of the block, its faces of contact)], the largest area that is pressed first."""
     area = np.linalg.norm(skins.normals(scene.corners), axis=1)
-    blocks = [b for b in np.unique(scene.skin.block[scene.pressed])]
-    blocks.sort(key=lambda b: -area[scene.pressed & (scene.skin.block == b)].sum())
-    return [(scene.blocks[b], np.flatnonzero(scene.skin.block == b)) for b in blocks[:MOST_SURFACES]]
+    blocks = sorted(np.unique(scene.skin.block[scene.pressed]),
+                    key=lambda b: -area[scene.pressed & (scene.skin.block == b)].sum())
+    return [(scene.blocks[b], np.flatnonzero(scene.faces_of_contact & (scene.skin.block == b)))
+            for b in blocks[:MOST_SURFACES]]
 
 
 def contact_surface(scene, faces):
@@ -75,20 +87,20 @@ def contact_surface(scene, faces):
     shown = faces if not turns else pressed
     corners, bulges = view.project(scene.corners[shown]), _turned(scene, view, shown)
     seen = raster.look(corners, bulges, fine, cull=not turns)
-    figure = Figure(figsize=((2 * width + 330) / DPI, (height + FOOT + HEAD) / DPI))
+    figure = Figure(figsize=((2 * width + 350) / DPI, (height + FOOT + HEAD) / DPI))
     pressure = raster.between_corners(seen, scene.pressure[scene.skin.corners[shown]])
     kind = raster.nearest_corner(seen, scene.status[scene.skin.corners[shown]])
     scale = _scale(scene.pressure[scene.skin.corners[pressed]])
     images = (_shade(seen, corners, fine, _colored(pressure, scale), mild=True),
               _shade(seen, corners, fine, _status_colored(kind), mild=True))
-    lefts = (80, width + 250)
+    lefts = (96, width + 266)
     for image, left, title in zip(images, lefts, ("contact pressure", "status")):
-        axes = figure.add_axes((left / (2 * width + 330), FOOT / (height + FOOT + HEAD), width / (2 * width + 330),
+        axes = figure.add_axes((left / (2 * width + 350), FOOT / (height + FOOT + HEAD), width / (2 * width + 350),
                                 height / (height + FOOT + HEAD)))
         axes.imshow(_coarser(image), origin="lower", interpolation="nearest", extent=frame.extent, aspect="auto")
         axes.set_title(title, fontsize=9)
         _label_plane(axes, view, turns, first=left == lefts[0])
-    _draw_color_bar(figure, scale, "pressure", ((width + 92) / (2 * width + 330), FOOT / (height + FOOT + HEAD), 0.014,
+    _draw_color_bar(figure, scale, "pressure", ((width + 108) / (2 * width + 350), FOOT / (height + FOOT + HEAD), 0.014,
                                                 height / (height + FOOT + HEAD)))
     handles = [matplotlib.patches.Patch(facecolor=c, edgecolor="#666", label=n) for c, n in zip(STATUS_COLORS, STATUS)]
     figure.legend(handles=handles, loc="lower right", ncol=3, fontsize=8, frameon=False)
@@ -96,19 +108,19 @@ def contact_surface(scene, faces):
 
 
 def _label_plane(axes, view, turns, first):
-    """Names and numbers of the axes of the picture where these are axes of the model."""
+    """Numbers of the axes, named where they are axes of the model."""
     if turns:
         axes.set_axis_off()
         return
     axes.tick_params(labelsize=7)
     axes.locator_params(nbins=5)
-    for direction, axis, word in ((view.right, axes.xaxis, "right"), (view.up, axes.yaxis, "up")):
+    for direction, axis, word in ((view.right, axes.xaxis, "to the right"), (view.up, axes.yaxis, "upwards")):
         along = int(np.argmax(np.abs(direction)))
         if abs(direction[along]) < 0.999:
-            axis.set_label_text(f"to the {word}" if word == "right" else "upwards", fontsize=8)
+            axis.set_label_text(f"{word} (model units)", fontsize=8)
+            axis.set_major_formatter("{x:.4g}")
             continue
-        if direction[along] < 0:
-            axis.set_major_formatter(lambda value, _: f"{-value + 0.0:.4g}")
+        axis.set_major_formatter(lambda value, _, sign=np.sign(direction[along]): f"{sign * value + 0.0:.4g}")
         axis.set_label_text(f"{'xyz'[along]} (model units)", fontsize=8)
     if not first:
         axes.set_ylabel("")
@@ -140,7 +152,10 @@ def _by_von_mises(scene, view, frame):
     seen = raster.look(corners, _turned(scene, view, slice(None)), frame)
     scale = _scale(scene.von_mises, "viridis")
     values = np.where(seen.face >= 0, scene.von_mises[np.maximum(seen.face, 0)], np.nan)
-    return _shade(seen, corners, frame, _colored(values, scale), mild=True), scale, "von Mises stress"
+    bare = np.array([not scene.von_mises[scene.skin.block == b].any() for b in range(len(scene.blocks))])
+    is_bare = (seen.face >= 0) & bare[scene.skin.block[np.maximum(seen.face, 0)]]  # rigid, or not in the results
+    image = np.where(is_bare[..., None], TINTS[0], _colored(values, scale))
+    return _shade(seen, corners, frame, image, mild=True), scale, "von Mises stress"
 
 
 def _turned(scene, view, faces):

@@ -84,10 +84,14 @@ def _pictures(run, scene):
     caption = f"State at t = {scene.t:.6g}. Contact that lies behind shows through the bodies. " + about
     if not scene.pressed.any():
         caption = f"State at t = {scene.t:.6g}. No face is in contact. " + about
-    images = [page.figure(pictures.deformed(scene), caption, "deformed mesh with contact pressure")]
-    if scene.von_mises.any():
-        images.append(page.figure(pictures.deformed(scene, "von_mises"), "Von Mises stress of the average over each "
-                                  "element, in the same view.", "deformed mesh with von Mises stress"))
+    stress = "Von Mises stress of the average over each element, in the same view."
+    images = []
+    for near in (False, True) if pictures.contact_is_small(scene) else (False,):
+        images.append(page.figure(pictures.deformed(scene, near=near), "The contact in the same view." if near else caption,
+                                  f"deformed mesh with contact pressure{', near' if near else ''}"))
+        if scene.von_mises.any():
+            images.append(page.figure(pictures.deformed(scene, "von_mises", near), stress,
+                                      f"deformed mesh with von Mises stress{', near' if near else ''}"))
     return page.section("pictures", "Deformed mesh", *images)
 
 
@@ -124,6 +128,8 @@ def _convergence(run):
                          "iterations of each step")] if bars else []
     parts += [page.figure(lines, "Residuals of Newton's method, a line for each solve; attempts that were cut are among "
                           "those of their step.", "residuals")] if lines else []
+    if steps and not bars:
+        parts.append("<p>Every step converged where its prediction led: no Newton iteration was needed.</p>")
     if steps:
         rows = [(s["step"], s["t"], s["newton_iterations"], s["augmentations"], s["cut_backs"], _last_residual(s))
                 for s in steps[-MOST_ROWS:]]
