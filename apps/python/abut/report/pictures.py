@@ -18,7 +18,9 @@ LIGHT = np.array([-0.35, 0.5, 0.8]) / np.linalg.norm([-0.35, 0.5, 0.8])  # right
 THROUGH = 0.6       # of the colour of contact that lies behind
 MOST_SURFACES = 4
 SMALL = 0.15        # of the model: contact that wants a picture of its own
+GOOD_PART = 0.2     # of the largest pressure
 NEAR_MARGIN = 0.3   # around it
+COARSE_BEHIND = 0.05  # of the size of a face
 CLOSED = 0.35       # mean normals shorter than that are of surfaces that turn around
 HEAD, FOOT = 40, 84    # pixels above and below the surfaces
 NO_PRESSURE = 1e-3  # of the largest
@@ -38,7 +40,7 @@ def deformed(scene, by="pressure", near=False):
     """The deformed model; by: pressure of contact, seen through the bodies, or von_mises; near: around the contact."""
     width, height = 860, 620
     view = scenes.view_of(scene.corners.reshape(-1, 3))
-    points = view.project(scene.corners[scene.pressed] if near else scene.corners)
+    points = view.project(scene.corners[_heart(scene)] if near else scene.corners)
     frame = raster.Frame.around(points, width, height, margin=NEAR_MARGIN if near else 0.04)
     image, scale, label = (_by_pressure if by == "pressure" else _by_von_mises)(scene, view, frame.finer(FINER))
     figure = Figure(figsize=((width + 130) / DPI, height / DPI))
@@ -54,15 +56,20 @@ def contact_is_small(scene):
     """Whether what is pressed can hardly be seen in a picture of the whole."""
     if not scene.pressed.any():
         return False
-    size = [np.linalg.norm(np.ptp(x.reshape(-1, 3), axis=0)) for x in (scene.corners[scene.pressed], scene.corners)]
+    size = [np.linalg.norm(np.ptp(x.reshape(-1, 3), axis=0)) for x in (scene.corners[_heart(scene)], scene.corners)]
     return size[0] < SMALL * size[1]
 
 
+def _heart(scene):
+    """(F,) faces that are pressed with a good part of the largest pressure of all."""
+    pressure = np.where(scene.pressed, scene.pressure[scene.skin.corners].max(axis=1, initial=0.0), 0.0)
+    return pressure >= GOOD_PART * pressure.max()
+
+
 def surfaces_in_contact(scene):
-    """[(name of the block, its faces of contact)], the largest area that is pressed first."""
-    area = np.linalg.norm(skins.normals(scene.corners), axis=1)
-    blocks = sorted(np.unique(scene.skin.block[scene.pressed]),
-                    key=lambda b: -area[scene.pressed & (scene.skin.block == b)].sum())
+    """[(name of the block, its faces of contact)], the one of most faces that are pressed first."""
+    blocks, counts = np.unique(scene.skin.block[scene.pressed], return_counts=True)
+    blocks = blocks[np.argsort(-counts, kind="stable")]
     return [(scene.blocks[b], np.flatnonzero(scene.faces_of_contact & (scene.skin.block == b)))
             for b in blocks[:MOST_SURFACES]]
 
@@ -136,11 +143,13 @@ def _by_pressure(scene, view, frame):
     image = _shade(seen, corners, frame, np.where(seen.face[..., None] >= 0, image, 1.0))
     chosen = np.flatnonzero(scene.pressed)
     if len(chosen):
-        contact = raster.look(corners[chosen], None if bulges is None else bulges[chosen], frame, cull=False)
+        behind = COARSE_BEHIND * np.sqrt(np.linalg.norm(skins.normals(scene.corners[chosen]), axis=1))
+        moved = corners[chosen] - behind[:, None, None] * [0, 0, 1]  # of two sides the finer one shows
+        contact = raster.look(moved, None if bulges is None else bulges[chosen], frame, cull=False)
         pressure = raster.between_corners(contact, scene.pressure[scene.skin.corners[chosen]])
         there = np.nan_to_num(pressure) > NO_PRESSURE * scale.vmax
         size = np.ptp(corners.reshape(-1, 3), axis=0).max()
-        in_front = contact.depth >= seen.depth - 1e-4 * size
+        in_front = contact.depth + behind[np.maximum(contact.face, 0)] >= seen.depth - 1e-4 * size
         weight = np.where(there, np.where(in_front, 1.0, THROUGH), 0.0)[..., None]
         colored = _shade(contact, corners[chosen], frame, _colored(pressure, scale), mild=True)
         image = (1 - weight) * image + weight * colored

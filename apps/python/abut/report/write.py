@@ -102,7 +102,8 @@ def _contact_surfaces(scene):
         way = "The surface turns around, so that it is seen obliquely from both sides." if turns else \
             "Seen from outside the body, along the mean normal of what is pressed."
         images.append(page.figure(image, f"Surface of block '{name}' in contact. {way} Status is that of nodes; without "
-                                  "friction what touches slips.", f"contact surface of {name}"))
+                                  "friction what touches slips. A side whose faces are much larger than the other's shows "
+                                  "a mean.", f"contact surface of {name}"))
     return page.section("contact-surface", "Contact surface", *(images or ["<p>Nothing is in contact in this state.</p>"]))
 
 
