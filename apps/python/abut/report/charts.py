@@ -149,7 +149,10 @@ def _panels(count, wide=False):
     columns = 1 if wide or count == 1 else 2
     rows = -(-count // columns)
     figure = Figure(figsize=(8.2 if wide or count > 1 else 5.6, 2.9 * rows), layout="constrained")
-    return figure, list(figure.subplots(rows, columns, squeeze=False).ravel()[:count])
+    panels = figure.subplots(rows, columns, squeeze=False).ravel()
+    for empty in panels[count:]:
+        empty.set_axis_off()
+    return figure, list(panels[:count])
 
 
 def _finish(panel, title, ordinate, abscissa="t"):
