@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 from .pictures import png
 
 MOST_PANELS = 8
-NOTHING = 1e-9         # of the largest of a panel: a curve that is rounding
+NOTHING = 1e-6         # of the largest of a panel: a curve that is nothing to see
 MOST_ITERATIONS = 600  # whose residuals are drawn; of longer runs the last
 ENERGIES = {"work_in": "work done on the model", "energy_stored": "stored in bodies",
             "energy_penalty": "in the penalty", "energy_friction": "lost to friction", "kinetic_energy": "kinetic",
