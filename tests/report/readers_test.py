@@ -163,6 +163,15 @@ class Raster(unittest.TestCase):
             count = [(seen.face == order.index(i)).sum() for i in range(3)]
             self.assertEqual(count, [80 * 80 - 20 * 20, 20 * 20, 0])
 
+    def test_face_much_larger_than_the_picture(self):
+        faces = np.stack([self.square(3000, 0), self.square(1, 1)])
+        frame = raster.Frame(-2, -2, 0.04, 100, 100)
+        for bulges in (None, np.zeros((2, 4, 3))):
+            seen = raster.look(self.VIEW.project(faces), bulges, frame)
+            self.assertEqual([(seen.face == i).sum() for i in range(2)], [100 * 100 - 50 * 50, 50 * 50])
+            x = raster.between_corners(seen, faces[:, :, 0])
+            np.testing.assert_allclose(x, np.tile((np.arange(100) + 0.5) * 0.04 - 2, (100, 1)), atol=0.022)
+
     def test_back_is_not_seen_and_values_are_those_of_the_place(self):
         face = self.square(1, 0)[None]
         frame = raster.Frame(-1, -1, 0.02, 100, 100)
