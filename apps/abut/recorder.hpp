@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "history.hpp"
 #include "points_file.hpp"
 #include "progress.hpp"
 #include "warnings.hpp"
@@ -45,6 +46,7 @@ private:
   Progress& progress_;
   scene::State state_;
   io::ResultWriter writer_;
+  History history_;
   std::optional<PointsFile> points_;
   solver::Counters counters_;
   ContactWatch watch_;

@@ -62,6 +62,8 @@ void protect_files(const Model& m, const std::string& stem, int part) {
       throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
                        m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
     protect_from_results(stem + ".exo" + io::part_suffix(part));
+    if (m.deck.output.history)
+      protect_from_history(stem);
     if (m.deck.output.checkpoint.active)
       protect_from_checkpoint(checkpoint_path(stem));
   });

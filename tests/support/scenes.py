@@ -91,7 +91,8 @@ class Fields:
         return self._values[f"connect{self._number('eb', block)}"] - 1
 
     def node_set(self, name):
-        """Indices from 0 into coordinates."""
+        """Indices from 0 into coordinates. One of a side set's name is called NAME_nodes in results."""
+        name = name if name in self.names("ns") else name + "_nodes"
         return self._values.get(f"node_ns{self._number('ns', name)}", numpy.array([1], int)[:0]) - 1
 
     def side_set(self, name):
