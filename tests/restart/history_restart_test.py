@@ -48,7 +48,8 @@ class Files(unittest.TestCase):
 
     def test_goes_on_after_restarts(self):
         """Four parts in folders of their own, on one rank and two: the last one has all rows, each once."""
-        whole = history.read(history.path_of(chain.one_piece(SLIDE)))
+        one = chain.one_piece(SLIDE)
+        whole = history.read(history.path_of(one))
         pieces = chain.in_pieces(SLIDE, ranks=(1, 2, 2, 1))
         for piece, stop in zip(pieces, chain.STOPS):
             table = history.read(history.path_of(piece))
