@@ -13,13 +13,6 @@ History::History(const Model& model, std::string stem) : model_(model), stem_(st
     columns_.push_back({v.name, v.key, v.meaning, v.unit});
 }
 
-void History::open() {
-  if (model_.deck.output.history)
-    model_.comm.on_root([&] { file_.emplace(stem_, columns_, rows_); });
-  if (!model_.deck.output.checkpoint.active)
-    rows_.clear();
-}
-
 std::vector<double> History::row_of(const scene::State& state) const {
   std::vector<double> row{state.time};
   for (const scene::GlobalVariable& v : scene::global_variables(model_, state))
@@ -31,9 +24,13 @@ void History::add(const scene::State& state) {
   if (!model_.deck.output.history)
     return;
   model_.comm.on_root([&] {
+    if (!file_)
+      file_.emplace(stem_, columns_, rows_);
     const std::vector<double> row = row_of(state);
     if (model_.deck.output.checkpoint.active)
       rows_.insert(rows_.end(), row.begin(), row.end());
+    else
+      rows_.clear();
     file_->add(row);
   });
 }

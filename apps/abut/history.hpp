@@ -20,9 +20,8 @@ public:
   /// stem: path of the results, the same for all parts. The model must outlive it.
   History(const Model& model, std::string stem);
 
-  /// Starts the file with the rows known so far. Throws InputError when it cannot be written.
-  void open();
-  /// Throws MachineError when the disk is full.
+  /// The first time it starts the file, with the rows known so far. Throws InputError when that
+  /// cannot be written, MachineError when the disk is full.
   void add(const scene::State& state);
   /// The rows up to now. Where an archive has none, or of other columns, there are none.
   void exchange_state(StateArchive& archive);

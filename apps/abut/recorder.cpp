@@ -21,7 +21,6 @@ Recorder::Recorder(const Model& model, const std::string& stem, int part, Progre
   state_.energy.kinetic_at_start = state_.energy.kinetic;
   watch_.look(state_);
   penalty_.look(state_);
-  history_.open();
   history_.add(state_);
   write();
 }
@@ -36,7 +35,6 @@ void Recorder::exchange_state(StateArchive& archive, const Vector& x) {
   history_.exchange_state(archive);
   if (!archive.takes())
     return;
-  history_.open();
   state_ = scene::make_state(model_, x, model_.equations->time(), counters_);
   state_.energy.kinetic_at_start = kinetic_at_start;
 }
