@@ -51,7 +51,11 @@ Signals::Signals() {
   }
 }
 
+/// Where one has come the process is about to end: the same signal, told once more, must not change
+/// its status.
 Signals::~Signals() {
+  if (received != 0)
+    return;
   for (const Old& old : old_)
     sigaction(old.number, &old.action, nullptr);
 }

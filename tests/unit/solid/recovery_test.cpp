@@ -38,7 +38,7 @@ template <CellType C> struct Moved {
 
 /// Averages over the current volume are those of the element.
 template <CellType C, class M> void expect_averages(const Moved<C>& e, const M& law) {
-  PointValues<Moved<C>::P> values;
+  PointValues<Moved<C>::P> values{};
   element_points<C>(reference_cell<C>(), law, e.x, e.u, values);
   double average[6], energy, sum[6] = {}, volume = 0.0;
   element_averages<C>(reference_cell<C>(), law, e.x, e.u, average, energy);
@@ -80,7 +80,7 @@ TEST(LinearFit, KeepsLinearFieldsAndMeans) {
       constexpr CellType C = decltype(shape)::type;
       using E = Moved<C>;
       const E e(engine);
-      PointValues<E::P> values;
+      PointValues<E::P> values{};
       element_points<C>(reference_cell<C>(), LinearElastic{0.4, 0.7}, e.x, e.u, values);
       double field[E::P][6] = {}, mean = 0.0, volume = 0.0, out[6 * E::n];
       for (int p = 0; p < E::P; ++p) {
@@ -103,7 +103,7 @@ TEST(LinearFit, KeepsLinearFieldsAndMeans) {
 TEST(LinearFit, LeavesTurnedOverPointsOut) {
   std::mt19937 engine(13);
   const Moved<CellType::hex8> e(engine);
-  PointValues<8> values;
+  PointValues<8> values{};
   element_points<CellType::hex8>(reference_cell<CellType::hex8>(), NeoHookean{0.4, 0.7}, e.x, e.u,
                                  values);
   double field[8][6] = {}, out[48];
