@@ -56,8 +56,8 @@ void Recorder::step(const solver::StepReport& report, const Vector& x) {
     active += c.active_points;
     ratio = std::max(ratio, c.max_penetration_over_face_size);
   }
+  history_.add(state_); // what is reported is on the disk
   progress_.step(report, active, ratio);
-  history_.add(state_);
   if (report.step % model_.deck.output.every == 0)
     write();
 }
