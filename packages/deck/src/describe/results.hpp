@@ -39,7 +39,7 @@ template <class V> void describe(V& v, io::OutputOptions& o) {
     if (o.fields.*wanted)
       fields.push_back(word);
   v.words("fields", fields, {"stress_tensor", "principal_stress", "strain", "nodal_stress"},
-          "further fields, beside those of every run (docs/user/results.md)");
+          "further fields, beside those of every run (docs/user/output.md)");
   for (const auto& [word, wanted] : words_of_fields)
     o.fields.*wanted = std::find(fields.begin(), fields.end(), word) != fields.end();
   v.optional("history", o.history,
