@@ -2,6 +2,7 @@
 #pragma once
 
 #include "convergence.hpp"
+#include "history.hpp"
 #include "points_file.hpp"
 #include "progress.hpp"
 #include "warnings.hpp"
@@ -48,6 +49,7 @@ private:
   Progress& progress_;
   scene::State state_;
   io::ResultWriter writer_;
+  History history_;
   std::optional<PointsFile> points_;
   solver::Counters counters_;
   Convergence convergence_;

@@ -99,7 +99,9 @@ class ExodusFile:
         return self._array(name) - 1 if name in self._data.variables else np.zeros((0, 0), int)
 
     def node_set(self, name):
-        """Indices into coordinates."""
+        """Indices into coordinates. One that has the name of a side set is called NAME_nodes in results."""
+        sets = self.names("ns")
+        name = name + "_nodes" if name not in sets and name + "_nodes" in sets else name
         return self._members("node_ns", "ns", name) - 1
 
     def side_set(self, name):
