@@ -53,7 +53,7 @@ struct Prefixes {
   }
 };
 
-/// In the order of the file, behind the counters and energies.
+/// In the order of the file, behind the counters, energies and the audit.
 std::vector<GlobalName> named_globals(const Scene& m) {
   const Prefixes prefixes(m);
   std::vector<GlobalName> result;
@@ -133,6 +133,9 @@ io::ResultNames result_names(const Scene& m) {
   names.global = {"steps",          "newton_iterations", "augmentations",
                   "cut_backs",      "work_in",           "energy_stored",
                   "energy_penalty", "energy_friction",   "energy_imbalance"};
+  for (const char* measure :
+       {"overlap", "overlap_over_face_size", "unseen_overlap", "tension", "cone", "balance"})
+    names.global.push_back(std::string("audit_") + measure);
   for (const GlobalName& global : named_globals(m))
     names.global.push_back(global.name);
   if (m.inertia)
@@ -181,7 +184,13 @@ io::ResultStep result_step(const Scene& m, const State& s) {
                  s.energy.stored,
                  s.energy.penalty,
                  s.energy.friction,
-                 s.energy.imbalance()};
+                 s.energy.imbalance(),
+                 s.audit.overlap,
+                 s.audit.overlap_over_face_size,
+                 s.audit.unseen_overlap,
+                 s.audit.tension,
+                 s.audit.cone,
+                 s.audit.balance};
   for (const auto& c : s.contacts)
     step.global.insert(step.global.end(), c.force.begin(), c.force.end());
   for (const auto& body : s.rigid_bodies)

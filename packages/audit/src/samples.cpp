@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "samples.hpp"
+
+#include "abut/fem/face_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace abut::audit {
+
+namespace {
+
+constexpr int dense = 16; ///< intervals along the edge of a body, of the shortest edge there
+constexpr int densest = 128;
+constexpr double crease = 0.9; ///< cosine of the angle to the mean normal that tells such an edge
+
+/// (N) whether a face there is turned away from the mean normal. Collective.
+std::vector<char> creased_nodes(const Skin& skin, const NodeExchange& exchange,
+                                const std::vector<Vec3>& x, const std::vector<Vec3>& normal) {
+  std::vector<int> marks(x.size(), 0);
+  for (Local f = 0; f < skin.faces(); ++f) {
+    Vec3 y[fem::max_face_nodes];
+    face_nodes_at(skin, f, x, y);
+    const std::array<Vec3, 4> corner = corner_normals(skin.type(f), y);
+    for (int a = 0; a < skin.corners(f); ++a) {
+      const auto n = std::size_t(skin.node(f, a));
+      if (dot(corner[std::size_t(a)], normal[n]) < crease)
+        marks[n] = 1;
+    }
+  }
+  exchange.max_to_owners(marks.data());
+  exchange.to_ghosts(marks.data());
+  return {marks.begin(), marks.end()};
+}
+
+/// (N) shortest edge of a face there. Collective.
+std::vector<double> shortest_edges(const Skin& skin, const NodeExchange& exchange,
+                                   const std::vector<Vec3>& x) {
+  std::vector<double> shortest(x.size(), 1e300);
+  for (Local f = 0; f < skin.faces(); ++f)
+    for (int a = 0; a < skin.corners(f); ++a) {
+      const auto i = std::size_t(skin.node(f, a));
+      const auto j = std::size_t(skin.node(f, (a + 1) % skin.corners(f)));
+      const double length = norm(x[i] - x[j]);
+      shortest[i] = std::min(shortest[i], length);
+      shortest[j] = std::min(shortest[j], length);
+    }
+  exchange.min_to_owners(shortest.data());
+  exchange.to_ghosts(shortest.data());
+  return shortest;
+}
+
+class Maker {
+public:
+  Maker(const Skin& skin, const std::vector<Vec3>& x, std::vector<char> creased,
+        std::vector<double> shortest)
+      : skin_(skin), x_(x), creased_(std::move(creased)), shortest_(std::move(shortest)) {}
+
+  std::vector<Sample> make() {
+    for (Local f = 0; f < skin_.faces(); ++f) {
+      const int corners = skin_.corners(f);
+      for (int a = 0; a < corners; ++a) {
+        add_corner(f, a);
+        add_edge(f, a, (a + 1) % corners);
+      }
+      add_middle(f);
+    }
+    return std::move(samples_);
+  }
+
+private:
+  void corner_xi(Local f, int a, double* xi) const {
+    fem::dispatch_face(skin_.type(f), [&](auto shape) { decltype(shape)::node(a, xi); });
+  }
+  double length(Local f, int a, int b) const {
+    return norm(x_[std::size_t(skin_.node(f, a))] - x_[std::size_t(skin_.node(f, b))]);
+  }
+  double shortest(Local f) const {
+    double least = 1e300;
+    for (int a = 0; a < skin_.corners(f); ++a)
+      least = std::min(least, length(f, a, (a + 1) % skin_.corners(f)));
+    return least;
+  }
+  static int intervals(double length, double shortest, int least, int most) {
+    const double wanted = shortest > 0.0 ? std::ceil(least * length / shortest - 1e-6) : least;
+    return static_cast<int>(std::clamp(wanted, double(least), double(most)));
+  }
+
+  void add_corner(Local f, int a) {
+    if (!corners_.insert(skin_.node(f, a)).second)
+      return;
+    Sample s{f, {0, 0}, {a, -1, -1, -1}};
+    corner_xi(f, a, s.xi);
+    samples_.push_back(s);
+  }
+
+  void add_edge(Local f, int a, int b) {
+    const Local na = skin_.node(f, a), nb = skin_.node(f, b);
+    if (!edges_.insert(std::minmax(na, nb)).second)
+      return;
+    const bool is_crease = creased_[std::size_t(na)] && creased_[std::size_t(nb)];
+    const double least = std::min(shortest_[std::size_t(na)], shortest_[std::size_t(nb)]);
+    const int count = is_crease ? intervals(length(f, a, b), least, dense, densest) : 2;
+    double from[2], to[2];
+    corner_xi(f, a, from);
+    corner_xi(f, b, to);
+    for (int k = 1; k < count; ++k) {
+      const double t = double(k) / count;
+      samples_.push_back(
+          {f, {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])}, {a, b, -1, -1}});
+    }
+  }
+
+  void add_middle(Local f) {
+    const int all = skin_.corners(f);
+    if (all == 3) {
+      samples_.push_back({f, {1.0 / 3.0, 1.0 / 3.0}, {0, 1, 2, -1}});
+      return;
+    }
+    const double least = shortest(f);
+    const int n = intervals(std::max(length(f, 0, 1), length(f, 2, 3)), least, 2, dense);
+    const int m = intervals(std::max(length(f, 1, 2), length(f, 3, 0)), least, 2, dense);
+    for (int i = 1; i < n; ++i)
+      for (int j = 1; j < m; ++j)
+        samples_.push_back({f, {2.0 * i / n - 1.0, 2.0 * j / m - 1.0}, {0, 1, 2, 3}});
+  }
+
+  const Skin& skin_;
+  const std::vector<Vec3>& x_;
+  std::vector<char> creased_;
+  std::vector<double> shortest_; ///< (N)
+  std::vector<Sample> samples_;
+  std::set<Local> corners_;
+  std::set<std::pair<Local, Local>> edges_;
+};
+
+} // namespace
+
+std::vector<Sample> make_samples(const Skin& skin, const NodeExchange& exchange,
+                                 const std::vector<Vec3>& x, const std::vector<Vec3>& normal) {
+  return Maker(skin, x, creased_nodes(skin, exchange, x, normal), shortest_edges(skin, exchange, x))
+      .make();
+}
+
+Vec3 position(const Skin& skin, const Sample& s, const std::vector<Vec3>& x) {
+  if (s.anchors[1] < 0)
+    return x[std::size_t(skin.node(s.face, s.anchors[0]))];
+  return fem::dispatch_face(skin.type(s.face), [&](auto shape) {
+    using Shape = decltype(shape);
+    double N[Shape::nodes];
+    Shape::values(s.xi, N);
+    Vec3 p = Vec3::zero();
+    for (int a = 0; a < Shape::nodes; ++a)
+      p += N[a] * x[std::size_t(skin.node(s.face, a))];
+    return p;
+  });
+}
+
+Vec3 direction(const Skin& skin, const Sample& s, const Pose& pose) {
+  Vec3 n = Vec3::zero();
+  if (s.anchors[2] < 0) {
+    for (int k = 0; k < 2 && s.anchors[k] >= 0; ++k)
+      n += pose.normal[std::size_t(skin.node(s.face, s.anchors[k]))];
+  } else {
+    Vec3 y[fem::max_face_nodes];
+    fem::FacePoint<double> at;
+    face_nodes_at(skin, s.face, pose.x, y);
+    fem::face_point(skin.type(s.face), y, s.xi, at);
+    n = cross(at.tangent[0], at.tangent[1]);
+  }
+  const double length = norm(n);
+  return length > 0.0 ? (1.0 / length) * n : n;
+}
+
+} // namespace abut::audit
