@@ -9,6 +9,10 @@
 
 namespace abut::audit {
 
+/// How far a quadratic cell may leave the box of its nodes, in the box's lengths: a parabola
+/// through three of them whose middle one is as far out as an end.
+constexpr double bulge = 0.125;
+
 /// Axis-aligned; empty when low > high.
 struct Box {
   Vec3 low{{1e300, 1e300, 1e300}}, high{{-1e300, -1e300, -1e300}};
@@ -66,6 +70,7 @@ public:
   bool is_empty() const { return boxes_.empty(); }
   const Box& bounds() const { return bounds_; }
   double cell() const { return cell_; } ///< longest side of a cell
+  const Box& box(Local item) const { return boxes_[std::size_t(item)]; }
 
   /// visit(item) for each box that holds x.
   template <class Visit> void at(const Vec3& x, const Visit& visit) const {

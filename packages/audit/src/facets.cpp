@@ -15,6 +15,7 @@ namespace {
 
 constexpr int most_edges = 4;
 constexpr double edge_of_body = 0.5; ///< cosine of 60 degrees
+constexpr double crease = 0.866;     ///< of 30 degrees
 
 using Ends = std::pair<Global, Global>;
 
@@ -133,7 +134,8 @@ Facets::Facets(const mesh::Mesh& mesh, const Skin& skin)
   messages_.emplace(mesh.comm, std::move(lists));
 }
 
-std::vector<double> Facets::rises(const Skin& skin, const std::vector<Vec3>& x) const {
+/// In the middles of edges (faces,4), and of those that come from other ranks behind. Collective.
+std::vector<Vec3> Facets::normals(const Skin& skin, const std::vector<Vec3>& x) const {
   std::vector<Vec3> normal(std::size_t(rows_), Vec3::zero());
   for (Local f = 0; f < skin.faces(); ++f) {
     Vec3 y[fem::max_face_nodes];
@@ -146,6 +148,20 @@ std::vector<double> Facets::rises(const Skin& skin, const std::vector<Vec3>& x) 
       for (std::size_t i = 0; i < in[k].size(); ++i)
         normal[std::size_t(messages_->neighbours()[k].receive[i])] = in[k][i];
   }
+  return normal;
+}
+
+std::vector<char> Facets::creases(const Skin& skin, const std::vector<Vec3>& x) const {
+  const std::vector<Vec3> normal = normals(skin, x);
+  std::vector<char> creased(beside_.size(), 1);
+  for (std::size_t slot = 0; slot < beside_.size(); ++slot)
+    if (beside_[slot] >= 0)
+      creased[slot] = dot(normal[slot], normal[std::size_t(beside_[slot])]) < crease;
+  return creased;
+}
+
+std::vector<double> Facets::rises(const Skin& skin, const std::vector<Vec3>& x) const {
+  const std::vector<Vec3> normal = normals(skin, x);
   std::vector<double> rises;
   for (Local f = 0; f < skin.faces(); ++f) {
     double rise[most_edges] = {};

@@ -11,9 +11,12 @@ namespace abut::audit {
 namespace {
 
 constexpr int most_iterations = 25;
-constexpr double longest_step = 0.7; ///< in parameters of the cell
+constexpr double longest_step = 1.5; ///< in parameters of the cell
 constexpr double exact = 1e-10;
-constexpr double far = 4.0; ///< beyond it no cell that is not folded has the point
+constexpr double nearly = 1e-5; ///< a step whose successor is of the order of its square
+constexpr double close = 0.1;   ///< a step after which the point goes on by less than outside
+constexpr double outside = 0.3; ///< how far xi is then beyond what may still come back
+constexpr double far = 4.0;     ///< beyond it no cell that is not folded has the point
 
 bool is_tetrahedron(fem::CellType type) {
   return fem::info(type).corners == 4;
@@ -30,14 +33,14 @@ Vec3 middle(fem::CellType type) {
   return Vec3::zero();
 }
 
-bool in_domain(fem::CellType type, const Vec3& xi) {
+bool in_domain(fem::CellType type, const Vec3& xi, double margin) {
   if (is_tetrahedron(type))
-    return xi[0] >= -exact && xi[1] >= -exact && xi[2] >= -exact &&
-           xi[0] + xi[1] + xi[2] <= 1.0 + exact;
+    return xi[0] >= -margin && xi[1] >= -margin && xi[2] >= -margin &&
+           xi[0] + xi[1] + xi[2] <= 1.0 + margin;
   if (is_wedge(type))
-    return xi[0] >= -exact && xi[1] >= -exact && xi[0] + xi[1] <= 1.0 + exact &&
-           std::fabs(xi[2]) <= 1.0 + exact;
-  return std::max({std::fabs(xi[0]), std::fabs(xi[1]), std::fabs(xi[2])}) <= 1.0 + exact;
+    return xi[0] >= -margin && xi[1] >= -margin && xi[0] + xi[1] <= 1.0 + margin &&
+           std::fabs(xi[2]) <= 1.0 + margin;
+  return std::max({std::fabs(xi[0]), std::fabs(xi[1]), std::fabs(xi[2])}) <= 1.0 + margin;
 }
 
 struct Place {
@@ -82,8 +85,10 @@ bool inside_cell(fem::CellType type, const Vec3* y, const Vec3& x) {
     xi += scale * step;
     if (norm(xi) > far)
       return false;
-    if (length < exact)
-      return in_domain(type, xi);
+    if (length < nearly)
+      return in_domain(type, xi, exact);
+    if (length < close && !in_domain(type, xi, outside))
+      return false;
   }
   return false;
 }

@@ -49,7 +49,7 @@ public:
         for (std::size_t a = 0; a < nodes; ++a)
           box.add(scan.pose.x[std::size_t(block.nodes[std::size_t(e) * nodes + a])]);
         if (curved)
-          box.widen(0.25);
+          box.widen(bulge);
         if (!box.meets(region))
           continue;
         boxes.push_back(box);

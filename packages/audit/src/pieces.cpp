@@ -11,9 +11,6 @@ namespace abut::audit {
 
 namespace {
 
-/// How far quadratic cells may leave the box of their nodes, in its lengths.
-constexpr double bulge = 0.25;
-
 /// A frame that no other node has yet, while pieces are looked at.
 constexpr int unknown = -2;
 

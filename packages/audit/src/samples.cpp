@@ -12,28 +12,10 @@ namespace abut::audit {
 
 namespace {
 
-constexpr int dense = 16; ///< intervals along the edge of a body, of the shortest edge there
-constexpr int densest = 128;
-constexpr double crease = 0.9; ///< cosine of the angle to the mean normal that tells such an edge
-
-/// (N) whether a face there is turned away from the mean normal. Collective.
-std::vector<char> creased_nodes(const Skin& skin, const NodeExchange& exchange,
-                                const std::vector<Vec3>& x, const std::vector<Vec3>& normal) {
-  std::vector<int> marks(x.size(), 0);
-  for (Local f = 0; f < skin.faces(); ++f) {
-    Vec3 y[fem::max_face_nodes];
-    face_nodes_at(skin, f, x, y);
-    const std::array<Vec3, 4> corner = corner_normals(skin.type(f), y);
-    for (int a = 0; a < skin.corners(f); ++a) {
-      const auto n = std::size_t(skin.node(f, a));
-      if (dot(corner[std::size_t(a)], normal[n]) < crease)
-        marks[n] = 1;
-    }
-  }
-  exchange.max_to_owners(marks.data());
-  exchange.to_ghosts(marks.data());
-  return {marks.begin(), marks.end()};
-}
+constexpr int dense = 8; ///< intervals along the edge of a body, of the shortest edge there
+constexpr int densest = 16;
+constexpr int sparse =
+    4; ///< most intervals on a face: what enters a long one has edges, or cuts those of the body
 
 /// (N) shortest edge of a face there. Collective.
 std::vector<double> shortest_edges(const Skin& skin, const NodeExchange& exchange,
@@ -100,9 +82,10 @@ private:
     const Local na = skin_.node(f, a), nb = skin_.node(f, b);
     if (!edges_.insert(std::minmax(na, nb)).second)
       return;
-    const bool is_crease = creased_[std::size_t(na)] && creased_[std::size_t(nb)];
+    if (!creased_[std::size_t(4 * f + a)])
+      return;
     const double least = std::min(shortest_[std::size_t(na)], shortest_[std::size_t(nb)]);
-    const int count = is_crease ? intervals(length(f, a, b), least, dense, densest) : 2;
+    const int count = intervals(length(f, a, b), least, dense, densest);
     double from[2], to[2];
     corner_xi(f, a, from);
     corner_xi(f, b, to);
@@ -120,8 +103,8 @@ private:
       return;
     }
     const double least = shortest(f);
-    const int n = intervals(std::max(length(f, 0, 1), length(f, 2, 3)), least, 2, dense);
-    const int m = intervals(std::max(length(f, 1, 2), length(f, 3, 0)), least, 2, dense);
+    const int n = intervals(std::max(length(f, 0, 1), length(f, 2, 3)), least, 2, sparse);
+    const int m = intervals(std::max(length(f, 1, 2), length(f, 3, 0)), least, 2, sparse);
     for (int i = 1; i < n; ++i)
       for (int j = 1; j < m; ++j)
         samples_.push_back({f, {2.0 * i / n - 1.0, 2.0 * j / m - 1.0}, {0, 1, 2, 3}});
@@ -129,7 +112,7 @@ private:
 
   const Skin& skin_;
   const std::vector<Vec3>& x_;
-  std::vector<char> creased_;
+  std::vector<char> creased_;    ///< (faces,4)
   std::vector<double> shortest_; ///< (N)
   std::vector<Sample> samples_;
   std::set<Local> corners_;
@@ -138,10 +121,9 @@ private:
 
 } // namespace
 
-std::vector<Sample> make_samples(const Skin& skin, const NodeExchange& exchange,
-                                 const std::vector<Vec3>& x, const std::vector<Vec3>& normal) {
-  return Maker(skin, x, creased_nodes(skin, exchange, x, normal), shortest_edges(skin, exchange, x))
-      .make();
+std::vector<Sample> make_samples(const Skin& skin, const Facets& facets,
+                                 const NodeExchange& exchange, const std::vector<Vec3>& x) {
+  return Maker(skin, x, facets.creases(skin, x), shortest_edges(skin, exchange, x)).make();
 }
 
 Vec3 position(const Skin& skin, const Sample& s, const std::vector<Vec3>& x) {

@@ -19,17 +19,25 @@ Vec3 unit(const Vec3& v) {
   return length > 0.0 ? (1.0 / length) * v : v;
 }
 
+/// The cell of the corners alone.
+fem::CellType straight(int corners) {
+  return corners == 4   ? fem::CellType::tet4
+         : corners == 6 ? fem::CellType::wedge6
+                        : fem::CellType::hex8;
+}
+
 /// Volume over area: the height of a brick, and with a factor of a tetrahedron.
 double depth_behind(const mesh::Mesh& mesh, const Skin& skin, Local face,
                     const std::vector<Vec3>& x, double area) {
   const mesh::Block& block = mesh.blocks[std::size_t(skin.block[std::size_t(face)])];
   const fem::CellInfo& cell = fem::info(block.type);
   Vec3 y[fem::max_cell_nodes];
-  for (int a = 0; a < cell.nodes; ++a)
+  for (int a = 0; a < cell.corners; ++a)
     y[a] = x[std::size_t(
         block.nodes[std::size_t(skin.element[std::size_t(face)]) * std::size_t(cell.nodes) +
                     std::size_t(a)])];
-  return (cell.corners == 4 ? 3.0 : 1.0) * fem::measure_cell(block.type, y).volume / area;
+  return (cell.corners == 4 ? 3.0 : 1.0) * fem::measure_cell(straight(cell.corners), y).volume /
+         area;
 }
 
 void add_geometry(const mesh::Mesh& mesh, Skin& skin) {

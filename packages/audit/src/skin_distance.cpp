@@ -3,8 +3,6 @@
 
 #include "ask.hpp"
 
-#include "abut/fem/face_map.hpp"
-
 #include <algorithm>
 #include <tuple>
 
@@ -36,32 +34,28 @@ bool operator<(const Answer& a, const Answer& b) {
          std::make_tuple(b.overlap, -b.faces_it, b.depth, b.face);
 }
 
-/// Points of a face on a lattice of n x n squares, or of triangles.
+/// A face as flat triangles between its nodes and its middle.
 template <class Visit> void each_triangle(fem::FaceType type, const Vec3* y, const Visit& visit) {
-  constexpr int n = 4;
-  const bool flat = fem::face_nodes(type) == fem::face_corners(type);
-  if (flat && fem::is_triangle(type))
+  const int corners = fem::face_corners(type);
+  const bool flat = fem::face_nodes(type) == corners;
+  if (flat && corners == 3)
     return visit(y[0], y[1], y[2]);
-  if (flat) {
-    const Vec3 middle = 0.25 * (y[0] + y[1] + y[2] + y[3]);
-    for (int a = 0; a < 4; ++a)
-      visit(y[a], y[(a + 1) % 4], middle);
-    return;
+  if (type == fem::FaceType::tri6) {
+    for (int a = 0; a < 3; ++a)
+      visit(y[a], y[3 + a], y[3 + (a + 2) % 3]);
+    return visit(y[3], y[4], y[5]);
   }
-  const auto at = [&](int i, int j) {
-    const double u = double(i) / n, v = double(j) / n;
-    const double xi[2] = {fem::is_triangle(type) ? u : 2.0 * u - 1.0,
-                          fem::is_triangle(type) ? v : 2.0 * v - 1.0};
-    fem::FacePoint<double> p;
-    fem::face_point(type, y, xi, p);
-    return p.x;
-  };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < (fem::is_triangle(type) ? n - i : n); ++j) {
-      visit(at(i, j), at(i + 1, j), at(i, j + 1));
-      if (!fem::is_triangle(type) || i + j + 2 <= n)
-        visit(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    }
+  Vec3 middle = 0.25 * (y[0] + y[1] + y[2] + y[3]);
+  if (type == fem::FaceType::quad8)
+    middle = 0.5 * (y[4] + y[5] + y[6] + y[7]) - middle;
+  if (type == fem::FaceType::quad9)
+    middle = y[8];
+  for (int a = 0; a < 4; ++a) {
+    const Vec3& next = y[(a + 1) % 4];
+    visit(y[a], flat ? next : y[4 + a], middle);
+    if (!flat)
+      visit(y[4 + a], next, middle);
+  }
 }
 
 Vec3 mean_normal(fem::FaceType type, const Vec3* y) {
@@ -85,7 +79,7 @@ public:
       for (int a = 0; a < fem::face_nodes(scan.skin.type(f)); ++a)
         box.add(y[a]);
       if (fem::face_nodes(scan.skin.type(f)) != scan.skin.corners(f))
-        box.widen(0.25);
+        box.widen(bulge);
     }
     grid_ = BoxGrid(std::move(boxes));
   }
@@ -95,7 +89,7 @@ public:
     if (grid_.is_empty())
       return;
     const double all = grid_.bounds().farthest(q.x);
-    for (double reach = std::max(grid_.cell(), 1e-12 * all);; reach *= 2.0) {
+    for (double reach = std::max(0.25 * grid_.cell(), 1e-12 * all);; reach *= 2.0) {
       Answer best[2] = {{q.overlap, 0, 1e300, nothing_near, 0, 0, 0, {}},
                         {q.overlap, 1, 1e300, nothing_near, 0, 0, 0, {}}};
       Box around;
@@ -117,6 +111,8 @@ private:
       return;
     Vec3 y[fem::max_face_nodes];
     face_nodes_at(skin, f, scan_.pose.x, y);
+    if (grid_.box(f).nearest(q.x) > best[1].depth)
+      return;
     const int faces_it = dot(mean_normal(skin.type(f), y), q.direction) < same_way;
     const Answer here{q.overlap,
                       faces_it,

@@ -9,8 +9,8 @@ constexpr Global nothing_near = -1; ///< id of no face
 
 /// Distance of x from the triangle.
 double distance_to_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c);
-/// Distance of x from a face with nodes y: a fan of triangles about its middle, of quadratic faces
-/// a finer net.
+/// Distance of x from a face with nodes y, taken as flat triangles between its nodes and its
+/// middle: of a curved one off by a quarter of the height of its arc.
 double distance_to_face(fem::FaceType type, const Vec3* y, const Vec3& x);
 
 /// Fills in how deep each overlap is: the distance from the nearest face of the piece that does not

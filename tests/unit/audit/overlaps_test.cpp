@@ -153,20 +153,20 @@ TEST(Overlaps, OfEdgesAcrossEachOtherAreFound) {
   const audit::Findings found = s.look();
   expect_overlap(s, found, Cause::no_contact, depth);
   // Both turned to lie on an edge, so that a bit of two edges is all that meets.
-  Scene t(both(block("low", {8, 1, 1}, {1, 1, 1}, {0, -0.5, -0.5}),
-               block("up", {1, 8, 1}, {1, 1, 1}, {1.6, -3.4, -0.5})));
-  const double h = std::sqrt(0.5), lift = 2.0 * h - 0.12;
+  Scene t(both(block("low", {2, 1, 1}, {1, 1, 1}, {0, -0.5, -0.5}),
+               block("up", {1, 2, 1}, {1, 1, 1}, {0.54, -0.97, -0.5})));
+  const double h = std::sqrt(0.5), lift = 2.0 * h - 0.2;
   t.move("low", [&](const Vec3& x) {
     return Vec3{{0.0, h * (x[1] - x[2]) - x[1], h * (x[1] + x[2]) - x[2]}};
   });
   t.move("up", [&](const Vec3& x) {
-    const double a = x[0] - 2.1;
+    const double a = x[0] - 1.04;
     return Vec3{{h * (a - x[2]) - a, 0.0, h * (a + x[2]) - x[2] + lift}};
   });
   const audit::Findings edges = t.look();
   EXPECT_EQ(t.only(edges).cause, Cause::no_contact);
-  EXPECT_GT(edges.measures.unseen_overlap, (0.12 - 1.0 / 32.0) * h);
-  EXPECT_LE(edges.measures.unseen_overlap, 0.12 * h + 1e-12);
+  EXPECT_GT(edges.measures.unseen_overlap, (0.2 - 1.0 / 16.0) * h);
+  EXPECT_LE(edges.measures.unseen_overlap, 0.2 * h + 1e-12);
 }
 
 /// A bar bent to a ring whose ends go into each other.
