@@ -6,6 +6,7 @@
 #include "forces.hpp"
 #include "known.hpp"
 #include "passages.hpp"
+#include "skin_distance.hpp"
 
 #include <algorithm>
 
@@ -40,9 +41,9 @@ struct Audit::Parts {
   }
 
   std::vector<char> nodes_of_primary(const Interface& one) const;
-  void move(const double* u);
+  std::vector<Overlap> overlaps(const Scan& scan);
   void judge_overlaps(const Scan& scan, const std::vector<Belief>& beliefs, Findings& findings,
-                      std::vector<Finding>& mine) const;
+                      std::vector<Finding>& mine);
   void judge_passages(const Scan& scan, Findings& findings, std::vector<Finding>& mine) const;
   Finding finding(Kind kind, const Scan& scan, Local sample, const Vec3& x,
                   const Owner& other) const;
@@ -75,10 +76,15 @@ std::vector<char> Audit::Parts::nodes_of_primary(const Interface& one) const {
   return mesh.comm.any(shared) ? std::vector<char>() : std::vector<char>(mark.begin(), mark.end());
 }
 
-void Audit::Parts::move(const double* u) {
-  pose.x = moved(mesh, u);
+/// Normals and roundness are asked for where something overlaps only. Collective.
+std::vector<Overlap> Audit::Parts::overlaps(const Scan& scan) {
+  std::vector<Overlap> found = find_overlaps(scan);
+  if (!mesh.comm.any(!found.empty()))
+    return found;
   pose.normal = nodal_normals(skin, exchange, pose.x);
   pose.rise = facets.rises(skin, pose.x);
+  measure_depths(scan, found);
+  return found;
 }
 
 Finding Audit::Parts::finding(Kind kind, const Scan& scan, Local sample, const Vec3& x,
@@ -95,11 +101,11 @@ Finding Audit::Parts::finding(Kind kind, const Scan& scan, Local sample, const V
 }
 
 void Audit::Parts::judge_overlaps(const Scan& scan, const std::vector<Belief>& beliefs,
-                                  Findings& findings, std::vector<Finding>& mine) const {
+                                  Findings& findings, std::vector<Finding>& mine) {
   std::vector<Overlap> suspects;
   std::vector<double> allowed, size;
   Measures& m = findings.measures;
-  for (const Overlap& o : find_overlaps(scan)) {
+  for (const Overlap& o : overlaps(scan)) {
     const auto face = std::size_t(samples[std::size_t(o.sample)].face);
     const double smaller = std::min(o.size, skin.size[face]);
     m.overlap = std::max(m.overlap, o.depth);
@@ -184,7 +190,7 @@ void Audit::begin_step(const double* u) {
 
 Findings Audit::look(const double* u, const std::vector<Belief>& beliefs) {
   Parts& p = *parts_;
-  p.move(u);
+  p.pose.x = moved(p.mesh, u);
   const std::vector<PiecePart> parts = p.pieces.parts(p.skin, p.pose);
   const Scan scan{p.mesh, p.skin, p.pieces, p.sides, p.samples, p.pose, parts, p.bodies.of_block};
   Findings findings;

@@ -2,7 +2,6 @@
 #include "overlaps.hpp"
 
 #include "ask.hpp"
-#include "skin_distance.hpp"
 
 #include "abut/audit/inside_cell.hpp"
 
@@ -161,7 +160,6 @@ std::vector<Overlap> find_overlaps(const Scan& scan) {
                         0.0,
                         {}});
   }
-  measure_depths(scan, overlaps);
   return overlaps;
 }
 

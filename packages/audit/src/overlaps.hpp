@@ -17,6 +17,8 @@ struct Owner {
   Global element = 0;
 };
 
+constexpr Global nothing_near = -1; ///< id of no face
+
 /// A sample of this rank that lies in a piece which does not touch it.
 struct Overlap {
   Local sample;
@@ -49,7 +51,7 @@ struct Scan {
   }
 };
 
-/// By sample, then piece; the same on any number of ranks. Collective.
+/// By sample, then piece, without depths; the same on any number of ranks. Collective.
 std::vector<Overlap> find_overlaps(const Scan& scan);
 
 } // namespace abut::audit

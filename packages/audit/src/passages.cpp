@@ -183,10 +183,25 @@ bool may_pass(const Box& segment, const Vec3& way, const Whole& w) {
   return w.way.farthest(way) >= w.shortest;
 }
 
+/// Whether any piece may leave another one behind in the step.
+bool any_may_pass(const std::map<Global, Whole>& whole) {
+  for (const auto& [piece, w] : whole)
+    for (const auto& [other, o] : whole)
+      if (other != piece && Pieces::may_meet(piece, w.frame, other, o.frame) &&
+          w.swept.meets(o.swept) && !w.way.is_empty() && !o.way.is_empty() &&
+          std::max(w.way.farthest(o.way.low), w.way.farthest(o.way.high)) +
+                  norm(o.way.high - o.way.low) >=
+              w.shortest)
+        return true;
+  return false;
+}
+
 /// To the ranks where it may go through a face.
 std::vector<std::vector<Mover>> make_movers(const Scan& scan) {
   std::vector<std::vector<Mover>> to(std::size_t(scan.mesh.comm.size()));
   const auto whole = whole_pieces(scan.parts);
+  if (!any_may_pass(whole))
+    return to;
   for (Local i = 0; i < Local(scan.samples.size()); ++i) {
     const Sample& s = scan.samples[std::size_t(i)];
     Mover m{i, scan.pieces.of_face(scan.skin, s.face), 0, position(scan.skin, s, scan.pose.before),

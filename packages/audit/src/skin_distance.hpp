@@ -5,8 +5,6 @@
 
 namespace abut::audit {
 
-constexpr Global nothing_near = -1; ///< id of no face
-
 /// Distance of x from the triangle.
 double distance_to_triangle(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c);
 /// Distance of x from a face with nodes y, taken as flat triangles between its nodes and its
