@@ -31,7 +31,7 @@ struct State {
   std::vector<contact::ContactSummary> contacts;
   std::vector<solid::ElementFields> elements; ///< per block; empty for rigid ones
   Energy energy;
-  audit::Measures audit; ///< of the last step that was looked at; 0: none
+  audit::Measures audit;                      ///< of the last step that was looked at; 0: none
   std::vector<rigid::BodyState> rigid_bodies; ///< of Scene::rigid_bodies
   std::vector<rigid::JointState> joints;      ///< of Scene::joints
   // Of dynamics, else empty:
