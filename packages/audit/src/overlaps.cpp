@@ -58,7 +58,15 @@ public:
     grid_ = BoxGrid(std::move(boxes));
   }
 
+  /// Of each piece the first element, by the order of the input.
   void find(const Probe& probe, std::vector<Hit>& hits) const {
+    const std::size_t first = hits.size();
+    const auto has = [&](Global piece) {
+      for (std::size_t k = first; k < hits.size(); ++k)
+        if (hits[k].piece == piece)
+          return true;
+      return false;
+    };
     grid_.at(probe.x, [&](Local item) {
       const auto [b, e] = place_[std::size_t(item)];
       const mesh::Block& block = scan_.mesh.blocks[std::size_t(b)];
@@ -66,6 +74,7 @@ public:
       const Local* cell = &block.nodes[std::size_t(e) * nodes];
       const Global piece = scan_.pieces.of_node(cell[0]);
       if (!Pieces::may_meet(probe.piece, probe.frame, piece, scan_.pieces.frame(piece)) ||
+          has(piece) ||
           (piece == probe.piece && touches(probe, cell, fem::info(block.type).corners)))
         return;
       Vec3 y[fem::max_cell_nodes];
