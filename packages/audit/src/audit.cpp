@@ -30,7 +30,7 @@ struct Audit::Parts {
         facets(m, skin), pieces(m, skin, bodies.frame_of_node),
         sides(m, i, exchange, pieces.of_nodes()), tolerance(allowed) {
     pose.x = pose.before = moved(m, nullptr);
-    samples = make_samples(skin, facets, exchange, pose.x);
+    samples = make_samples(skin, facets, pose.x);
     names.bodies = bodies.names;
     for (const Interface& one : i) {
       names.interfaces.push_back(one.name);

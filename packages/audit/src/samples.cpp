@@ -12,33 +12,14 @@ namespace abut::audit {
 
 namespace {
 
-constexpr int dense = 8; ///< intervals along the edge of a body, of the shortest edge there
-constexpr int densest = 16;
-constexpr int sparse =
-    4; ///< most intervals on a face: what enters a long one has edges, or cuts those of the body
-
-/// (N) shortest edge of a face there. Collective.
-std::vector<double> shortest_edges(const Skin& skin, const NodeExchange& exchange,
-                                   const std::vector<Vec3>& x) {
-  std::vector<double> shortest(x.size(), 1e300);
-  for (Local f = 0; f < skin.faces(); ++f)
-    for (int a = 0; a < skin.corners(f); ++a) {
-      const auto i = std::size_t(skin.node(f, a));
-      const auto j = std::size_t(skin.node(f, (a + 1) % skin.corners(f)));
-      const double length = norm(x[i] - x[j]);
-      shortest[i] = std::min(shortest[i], length);
-      shortest[j] = std::min(shortest[j], length);
-    }
-  exchange.min_to_owners(shortest.data());
-  exchange.to_ghosts(shortest.data());
-  return shortest;
-}
+constexpr int dense = 8; ///< intervals along an edge of a body
+/// Most intervals on a face: what enters a long one has edges, or cuts those of the body.
+constexpr int sparse = 4;
 
 class Maker {
 public:
-  Maker(const Skin& skin, const std::vector<Vec3>& x, std::vector<char> creased,
-        std::vector<double> shortest)
-      : skin_(skin), x_(x), creased_(std::move(creased)), shortest_(std::move(shortest)) {}
+  Maker(const Skin& skin, const std::vector<Vec3>& x, std::vector<char> creased)
+      : skin_(skin), x_(x), creased_(std::move(creased)) {}
 
   std::vector<Sample> make() {
     for (Local f = 0; f < skin_.faces(); ++f) {
@@ -65,9 +46,9 @@ private:
       least = std::min(least, length(f, a, (a + 1) % skin_.corners(f)));
     return least;
   }
-  static int intervals(double length, double shortest, int least, int most) {
-    const double wanted = shortest > 0.0 ? std::ceil(least * length / shortest - 1e-6) : least;
-    return static_cast<int>(std::clamp(wanted, double(least), double(most)));
+  static int intervals(double length, double shortest) {
+    const double wanted = shortest > 0.0 ? std::ceil(2.0 * length / shortest - 1e-6) : 2.0;
+    return static_cast<int>(std::clamp(wanted, 2.0, double(sparse)));
   }
 
   void add_corner(Local f, int a) {
@@ -84,13 +65,11 @@ private:
       return;
     if (!creased_[std::size_t(4 * f + a)])
       return;
-    const double least = std::min(shortest_[std::size_t(na)], shortest_[std::size_t(nb)]);
-    const int count = intervals(length(f, a, b), least, dense, densest);
     double from[2], to[2];
     corner_xi(f, a, from);
     corner_xi(f, b, to);
-    for (int k = 1; k < count; ++k) {
-      const double t = double(k) / count;
+    for (int k = 1; k < dense; ++k) {
+      const double t = double(k) / dense;
       samples_.push_back(
           {f, {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])}, {a, b, -1, -1}});
     }
@@ -103,8 +82,8 @@ private:
       return;
     }
     const double least = shortest(f);
-    const int n = intervals(std::max(length(f, 0, 1), length(f, 2, 3)), least, 2, sparse);
-    const int m = intervals(std::max(length(f, 1, 2), length(f, 3, 0)), least, 2, sparse);
+    const int n = intervals(std::max(length(f, 0, 1), length(f, 2, 3)), least);
+    const int m = intervals(std::max(length(f, 1, 2), length(f, 3, 0)), least);
     for (int i = 1; i < n; ++i)
       for (int j = 1; j < m; ++j)
         samples_.push_back({f, {2.0 * i / n - 1.0, 2.0 * j / m - 1.0}, {0, 1, 2, 3}});
@@ -112,8 +91,7 @@ private:
 
   const Skin& skin_;
   const std::vector<Vec3>& x_;
-  std::vector<char> creased_;    ///< (faces,4)
-  std::vector<double> shortest_; ///< (N)
+  std::vector<char> creased_; ///< (faces,4)
   std::vector<Sample> samples_;
   std::set<Local> corners_;
   std::set<std::pair<Local, Local>> edges_;
@@ -122,8 +100,8 @@ private:
 } // namespace
 
 std::vector<Sample> make_samples(const Skin& skin, const Facets& facets,
-                                 const NodeExchange& exchange, const std::vector<Vec3>& x) {
-  return Maker(skin, x, facets.creases(skin, x), shortest_edges(skin, exchange, x)).make();
+                                 const std::vector<Vec3>& x) {
+  return Maker(skin, x, facets.creases(skin, x)).make();
 }
 
 Vec3 position(const Skin& skin, const Sample& s, const std::vector<Vec3>& x) {

@@ -14,12 +14,11 @@ struct Sample {
   int anchors[4] = {-1, -1, -1, -1}; ///< corners of the face that it lies between: 1, 2 or all
 };
 
-/// Corners once, faces at a distance of half their shorter edge, and edges of bodies once, at an
-/// eighth of the shortest one there, for there two bodies may meet with nothing but a bit
-/// of an edge. x: (N) in the reference configuration. The same on any number of ranks, but for
-/// repetition. Collective.
+/// Corners once, points on faces at a distance of half their shorter edge, and edges of bodies
+/// once, in eighths, for there two bodies may meet with nothing but a bit of an edge. x: (N) in the
+/// reference configuration. The same on any number of ranks, but for repetition. Collective.
 std::vector<Sample> make_samples(const Skin& skin, const Facets& facets,
-                                 const NodeExchange& exchange, const std::vector<Vec3>& x);
+                                 const std::vector<Vec3>& x);
 
 /// Position at nodes x (N).
 Vec3 position(const Skin& skin, const Sample& s, const std::vector<Vec3>& x);

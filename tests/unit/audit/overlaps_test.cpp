@@ -153,14 +153,14 @@ TEST(Overlaps, OfEdgesAcrossEachOtherAreFound) {
   const audit::Findings found = s.look();
   expect_overlap(s, found, Cause::no_contact, depth);
   // Both turned to lie on an edge, so that a bit of two edges is all that meets.
-  Scene t(both(block("low", {2, 1, 1}, {1, 1, 1}, {0, -0.5, -0.5}),
-               block("up", {1, 2, 1}, {1, 1, 1}, {0.54, -0.97, -0.5})));
+  Scene t(both(block("low", {1, 1, 1}, {1, 1, 1}, {0, -0.5, -0.5}),
+               block("up", {1, 1, 1}, {1, 1, 1}, {0.04, -0.53, -0.5})));
   const double h = std::sqrt(0.5), lift = 2.0 * h - 0.2;
   t.move("low", [&](const Vec3& x) {
     return Vec3{{0.0, h * (x[1] - x[2]) - x[1], h * (x[1] + x[2]) - x[2]}};
   });
   t.move("up", [&](const Vec3& x) {
-    const double a = x[0] - 1.04;
+    const double a = x[0] - 0.54;
     return Vec3{{h * (a - x[2]) - a, 0.0, h * (a + x[2]) - x[2] + lift}};
   });
   const audit::Findings edges = t.look();
