@@ -38,7 +38,13 @@ void Recorder::exchange_state(StateArchive& archive, const Vector& x) {
   state_.energy.kinetic_at_start = kinetic_at_start;
 }
 
+void Recorder::iteration(const solver::IterationReport& report) {
+  convergence_.iteration(report);
+  progress_.iteration(report);
+}
+
 void Recorder::step(const solver::StepReport& report, const Vector& x) {
+  convergence_.step(report);
   ++counters_.steps;
   counters_.newton_iterations += report.iterations;
   counters_.augmentations += report.augmentations;

@@ -170,7 +170,7 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::AugmentedLagran
         },
         [&](const auto& report) {
           signals.require_none(m.comm);
-          progress.iteration(report);
+          recorder.iteration(report);
         },
         from,
         [&](const solver::Standing& standing) {
@@ -282,6 +282,8 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
   facts.audit_seconds = audit.seconds();
   facts.wall_seconds = watch.seconds();
   facts.linear = used_methods(linear);
+  facts.results = recorder.path();
+  facts.convergence = &recorder.convergence();
   say_what_linear_solves_cost(facts.linear, progress);
   const auto verdicts = judge(m, recorder.state(), result.converged, progress);
   say_how_it_ended(m, outcome, facts.wall_seconds, recorder.path(), progress);

@@ -19,14 +19,14 @@ GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in",
           "energy_friction", "energy_imbalance", "audit_overlap", "audit_overlap_over_face_size",
           "audit_unseen_overlap", "audit_tension", "audit_cone", "audit_balance", "pair_force_x", "pair_force_y",
           "pair_force_z"]
-SUMMARY = ["status", "deck", "ranks", "unknowns", "steps", "t", "extrapolated_steps", "newton_iterations", "augmentations",
+SUMMARY = ["status", "deck", "title", "results", "ranks", "unknowns", "steps", "t", "extrapolated_steps", "newton_iterations", "augmentations",
            "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
-           "contact", "energy", "penalty_error", "audit", "verify", "warnings"]
+           "contact", "energy", "penalty_error", "audit", "verify", "warnings", "convergence"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
            "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",
            "friction_dissipation", "penalty_energy", "penalty_error", "penetration_over_approach", "initial_overlap",
-           "shifted_points", "max_shift", "penalty_factor"]
+           "shifted_points", "max_shift", "penalty_factor", "primary", "secondary", "choices"]
 
 DECK = {
     "title": "Two blocks",
