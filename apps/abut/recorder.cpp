@@ -8,8 +8,8 @@
 namespace abut::app {
 
 Recorder::Recorder(const Model& model, const std::string& stem, int part, Progress& progress,
-                   const Vector& x)
-    : model_(model), progress_(progress),
+                   AuditWatch& audit, const Vector& x)
+    : model_(model), progress_(progress), audit_(audit),
       writer_(stem, *model.mesh, scene::result_names(model, model.deck.output.fields),
               model.deck.output.files, part),
       history_(model, stem) {
@@ -33,9 +33,12 @@ void Recorder::exchange_state(StateArchive& archive, const Vector& x) {
     penalty_.list_state(v);
   });
   history_.exchange_state(archive);
+  if (archive.takes())
+    state_ = scene::make_state(model_, x, model_.equations->time(), counters_);
+  audit_.exchange_state(archive, state_.u);
   if (!archive.takes())
     return;
-  state_ = scene::make_state(model_, x, model_.equations->time(), counters_);
+  state_.audit = audit_.now();
   state_.energy.kinetic_at_start = kinetic_at_start;
 }
 
@@ -54,6 +57,8 @@ void Recorder::step(const solver::StepReport& report, const Vector& x) {
   const double kinetic_at_start = state_.energy.kinetic_at_start;
   state_ = scene::make_state(model_, x, report.t, counters_);
   state_.energy.kinetic_at_start = kinetic_at_start;
+  audit_.accepted(state_.u, report.t, progress_);
+  state_.audit = audit_.now();
   watch_.look(state_);
   penalty_.look(state_);
   Global active = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "audit_watch.hpp"
 #include "convergence.hpp"
 #include "history.hpp"
 #include "points_file.hpp"
@@ -17,15 +18,15 @@
 namespace abut::app {
 
 /// Follows a run: keeps its last converged state, writes states to the files of the results and
-/// tells the user of each step. Model and progress must outlive it. Every member is collective, and
-/// wants the equations evaluated at the x it speaks of.
+/// tells the user of each step. Model, progress and audit must outlive it. Every member is
+/// collective, and wants the equations evaluated at the x it speaks of.
 class Recorder {
 public:
   /// Starts the files, `stem` being their path without extension: with the state x at t = 0, or
   /// without any where a further part of the run begins, whose course so far is to be taken by
   /// exchange_state. Throws InputError when they cannot be written.
   Recorder(const Model& model, const std::string& stem, int part, Progress& progress,
-           const Vector& x);
+           AuditWatch& audit, const Vector& x);
 
   /// What it knows of the course of the run; when it has been taken, its state is x.
   void exchange_state(StateArchive& archive, const Vector& x);
@@ -47,6 +48,7 @@ private:
 
   const Model& model_;
   Progress& progress_;
+  AuditWatch& audit_;
   scene::State state_;
   io::ResultWriter writer_;
   History history_;

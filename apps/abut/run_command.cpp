@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_command.hpp"
 
+#include "audit_watch.hpp"
 #include "augmentation.hpp"
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
@@ -263,12 +264,12 @@ ExchangeState owners_of_state(Model& m, solver::NewtonSolver& newton, Vector& x,
 
 /// What the user hears and reads of a run that has ended; returns its exit status.
 int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const Recorder& recorder,
-             const solver::LinearSolver& linear, const solver::Stopwatch& watch,
-             Progress& progress) {
+             const AuditWatch& audit, const solver::LinearSolver& linear,
+             const solver::Stopwatch& watch, Progress& progress) {
   solver::LoadResult& result = outcome.result;
   if (!result.converged && !outcome.machine)
     result.reason += why_stopped(m, recorder, result);
-  for (const auto& list : {recorder.watch().warnings(m, result.converged),
+  for (const auto& list : {audit.warnings(), recorder.watch().warnings(m, result.converged),
                            warnings_of_penalty(m, recorder.penalty_error())})
     for (const std::string& warning : list)
       progress.warning(warning);
@@ -278,6 +279,8 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
   facts.reason = result.reason;
   facts.warnings = progress.warnings();
   facts.penalty = recorder.penalty_error();
+  facts.audit = audit.worst();
+  facts.audit_seconds = audit.seconds();
   facts.wall_seconds = watch.seconds();
   facts.linear = used_methods(linear);
   facts.results = recorder.path();
@@ -321,7 +324,9 @@ int run(const RunOptions& options) {
   const contact::AugmentationPolicy policy(m.contacts, [&m] { return scene::energy_of_bodies(m); });
   solver::NewtonSolver newton(*linear, newton_options(m, policy), m.deck.linear.tolerance);
   solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
-  Recorder recorder(m, stem, part, progress, x);
+  AuditWatch audit(m, m.equations->nodal_values(x));
+  system.set_check([&audit] { audit.look(); });
+  Recorder recorder(m, stem, part, progress, audit, x);
   const ExchangeState exchange = owners_of_state(m, newton, x, recorder);
   solver::Standing standing;
   if (restart) {
@@ -334,7 +339,7 @@ int run(const RunOptions& options) {
   write_last(recorder, outcome);
   if (!outcome.result.converged)
     checkpoints.finish();
-  const int status = conclude(m, options, outcome, recorder, *linear, watch, progress);
+  const int status = conclude(m, options, outcome, recorder, audit, *linear, watch, progress);
   checkpoints.finish(); // of the end last: who finds it finds all that the run was to write
   return status;
 }

@@ -93,6 +93,16 @@ Json rigid_json(const Model& m, const scene::State& s) {
   return all;
 }
 
+Json audit_json(const RunFacts& facts, double seconds) {
+  return {{"overlap", facts.audit.overlap},
+          {"overlap_over_face_size", facts.audit.overlap_over_face_size},
+          {"unseen_overlap", facts.audit.unseen_overlap},
+          {"tension", facts.audit.tension},
+          {"cone", facts.audit.cone},
+          {"balance", facts.audit.balance},
+          {"seconds", seconds}};
+}
+
 Json convergence_json(const Convergence& convergence) {
   Json steps = Json::array();
   for (const StepCost& step : convergence.steps())
@@ -128,6 +138,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
     phases[phase_name(static_cast<Phase>(p))] =
         m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
   const Json linear = linear_json(m.comm, facts.linear);
+  const double audit_seconds = m.comm.max(facts.audit_seconds);
   const double memory = m.comm.sum(peak_memory_mb());
   if (file.empty())
     return;
@@ -156,6 +167,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                  {"friction", s.energy.friction},
                  {"imbalance", s.energy.imbalance()}}},
                {"penalty_error", facts.penalty.whole},
+               {"audit", audit_json(facts, audit_seconds)},
                {"verify", Json::array()}};
   if (m.inertia) {
     json["energy"]["kinetic"] = s.energy.kinetic;

@@ -4,6 +4,7 @@
 #include "convergence.hpp"
 #include "verify.hpp"
 
+#include "abut/audit/findings.hpp"
 #include "abut/scene/penalty_error.hpp"
 #include "abut/solver/linear_solver.hpp"
 
@@ -17,6 +18,8 @@ struct RunFacts {
   std::string reason; ///< of a run that stopped
   std::vector<std::string> warnings;
   scene::PenaltyError penalty;
+  audit::Measures audit; ///< the worst of all steps
+  double audit_seconds = 0.0;
   double wall_seconds = 0.0;
   std::vector<solver::LinearUse> linear; ///< those of the methods that were used
   std::string results; ///< path of the Exodus file, of this rank where each has one

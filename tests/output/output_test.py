@@ -17,7 +17,8 @@ NODAL = ["displacement_x", "displacement_y", "displacement_z", "contact_pressure
 ELEMENT = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_xz", "von_mises",
            "energy"]
 GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in", "energy_stored", "energy_penalty",
-          "energy_friction", "energy_imbalance",
+          "energy_friction", "energy_imbalance", "audit_overlap", "audit_overlap_over_face_size",
+          "audit_unseen_overlap", "audit_tension", "audit_cone", "audit_balance",
           *(f"pair_{name}_{axis}" for name in ("force", "moment") for axis in "xyz"),
           *("pair_" + name for name in ("area", "points", "stick_points", "slip_points", "gap_max", "gap_mean",
                                         "penetration_max", "penetration_mean", "pressure_max", "slip_max")),
@@ -25,7 +26,7 @@ GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in",
             for axis in "xyz")]
 SUMMARY = ["status", "deck", "title", "results", "ranks", "unknowns", "steps", "t", "extrapolated_steps", "newton_iterations", "augmentations",
            "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
-           "contact", "energy", "penalty_error", "verify", "warnings", "convergence"]
+           "contact", "energy", "penalty_error", "audit", "verify", "warnings", "convergence"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
            "max_pressure", "max_penetration", "max_penetration_over_face_size", "max_slip", "flips",

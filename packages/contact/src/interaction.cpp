@@ -324,6 +324,9 @@ std::vector<Site> PointLists::sites() const {
     list.push_back(sites[i]);
   return list;
 }
+double PointLists::friction() const {
+  return parts_.data.terms.law.friction;
+}
 double Interaction::wrong_facing_share() const {
   return parts_->data.place.wrong_facing_share();
 }

@@ -65,6 +65,15 @@ void add_run(const State& s, std::vector<GlobalVariable>& list) {
           "energy");
 }
 
+void add_audit(const audit::Measures& found, Group group) {
+  group.add("overlap", found.overlap, "deepest point of one body in another", "length");
+  group.add("overlap_over_face_size", found.overlap_over_face_size, "the same in face sizes", "");
+  group.add("unseen_overlap", found.unseen_overlap, "deepest that no contact knows of", "length");
+  group.add("tension", found.tension, "largest pull over the largest pressure", "");
+  group.add("cone", found.cone, "largest shear beyond the cone over the largest pressure", "");
+  group.add("balance", found.balance, "force or moment left over, over their sizes", "");
+}
+
 Vec3 vector(const std::array<double, 3>& a) {
   return {{a[0], a[1], a[2]}};
 }
@@ -121,6 +130,7 @@ std::vector<GlobalVariable> global_variables(const Scene& m, const State& s) {
   const Prefixes prefixes(m);
   std::vector<GlobalVariable> list;
   add_run(s, list);
+  add_audit(s.audit, Group(list, "audit_", ""));
   for (std::size_t c = 0; c < m.contacts.size(); ++c) {
     const std::string name = m.contacts[c]->name();
     add_contact(s.contacts[c], Group(list, name, "contact." + name));

@@ -89,6 +89,7 @@ struct PointRecord {
   double pressure, shear; ///< Cauchy [pressure]
   Vec3 traction;          ///< Cauchy [pressure]
   int flips;
+  bool paired; ///< it has a partner
 };
 
 } // namespace abut::contact

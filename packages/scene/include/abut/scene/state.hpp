@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/audit/findings.hpp"
 #include "abut/scene/reactions.hpp"
 #include "abut/scene/scene.hpp"
 #include "abut/solid/element_fields.hpp"
@@ -32,6 +33,7 @@ struct State {
   std::vector<contact::ContactSummary> contacts;
   std::vector<solid::ElementFields> elements; ///< per block; empty for rigid ones
   Energy energy;
+  audit::Measures audit;                      ///< of the last step that was looked at; 0: none
   std::vector<rigid::BodyState> rigid_bodies; ///< of Scene::rigid_bodies
   std::vector<rigid::JointState> joints;      ///< of Scene::joints
   // Of dynamics, else empty:
