@@ -13,6 +13,7 @@
 #include "signals.hpp"
 #include "summary.hpp"
 #include "verify.hpp"
+#include "waiting.hpp"
 #include "why_stopped.hpp"
 
 #include "abut/core/error.hpp"
@@ -282,6 +283,7 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
   facts.audit = audit.worst();
   facts.audit_seconds = audit.seconds();
   facts.wall_seconds = watch.seconds();
+  facts.waiting_seconds = WaitingWatch::seconds();
   facts.linear = used_methods(linear);
   facts.results = recorder.path();
   facts.convergence = &recorder.convergence();
@@ -299,6 +301,7 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
 int run(const RunOptions& options) {
   const Comm comm(MPI_COMM_WORLD);
   const solver::Stopwatch watch;
+  const WaitingWatch waiting;
   create_folder(comm, options.output_dir);
   if (!options.summary.empty())
     comm.on_root([&] { protect_from_summary(options.summary); });

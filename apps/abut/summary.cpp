@@ -125,7 +125,8 @@ Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
                        {"setups", use.setups},
                        {"failures", use.failures},
                        {"seconds", comm.max(use.seconds)},
-                       {"setup_seconds", comm.max(use.setup_seconds)}};
+                       {"setup_seconds", comm.max(use.setup_seconds)},
+                       {"apply_seconds", comm.max(use.apply_seconds)}};
   return all;
 }
 
@@ -139,6 +140,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
         m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
   const Json linear = linear_json(m.comm, facts.linear);
   const double audit_seconds = m.comm.max(facts.audit_seconds);
+  const Json waiting = {m.comm.min(facts.waiting_seconds), m.comm.max(facts.waiting_seconds)};
   const double memory = m.comm.sum(peak_memory_mb());
   if (file.empty())
     return;
@@ -158,6 +160,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"cut_backs", s.counters.cut_backs},
                {"wall_seconds", facts.wall_seconds},
                {"phase_seconds", phases},
+               {"waiting_seconds", waiting},
                {"peak_memory_mb", memory},
                {"contact", contact_json(m, s, facts.penalty)},
                {"energy",

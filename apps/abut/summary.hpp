@@ -21,6 +21,7 @@ struct RunFacts {
   audit::Measures audit; ///< the worst of all steps
   double audit_seconds = 0.0;
   double wall_seconds = 0.0;
+  double waiting_seconds = 0.0;          ///< of this rank, for others and for messages
   std::vector<solver::LinearUse> linear; ///< those of the methods that were used
   std::string results; ///< path of the Exodus file, of this rank where each has one
   const Convergence* convergence = nullptr; ///< must outlive this

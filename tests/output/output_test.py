@@ -25,7 +25,7 @@ GLOBAL = ["steps", "newton_iterations", "augmentations", "cut_backs", "work_in",
           *(f"{place}_{name}_{axis}" for place in ("bottom", "top") for name in ("reaction", "reaction_moment")
             for axis in "xyz")]
 SUMMARY = ["status", "deck", "title", "results", "ranks", "unknowns", "steps", "t", "extrapolated_steps", "newton_iterations", "augmentations",
-           "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "peak_memory_mb",
+           "linear_iterations", "linear_solver", "cut_backs", "wall_seconds", "phase_seconds", "waiting_seconds", "peak_memory_mb",
            "contact", "energy", "penalty_error", "audit", "verify", "warnings", "convergence"]
 PHASES = ["search", "contact", "solid", "assembly", "linear_solve", "output"]
 CONTACT = ["formulation", "enforcement", "active_points", "stick_points", "slip_points", "force",
@@ -221,6 +221,14 @@ class Output(unittest.TestCase):
         self.assertEqual(summary["unknowns"], 3 * len(self.mesh.x))
         self.assertGreater(summary["peak_memory_mb"], 1)
         self.assertGreaterEqual(summary["wall_seconds"], sum(summary["phase_seconds"].values()) / 2)
+        least, most = summary["waiting_seconds"]
+        self.assertTrue(0.0 < least <= most < summary["wall_seconds"])
+
+    def test_cost_of_the_linear_solver(self):
+        deck = scenes.merged(DECK, {"linear_solver": {"method": "krylov"}})
+        use = scenes.run(deck, files=[self.mesh_path]).summary["linear_solver"]["krylov with multigrid"]
+        self.assertGreater(min(use["setup_seconds"], use["apply_seconds"]), 0.0)
+        self.assertLess(use["setup_seconds"] + use["apply_seconds"], use["seconds"])
 
     def test_xml_and_yaml_give_identical_results(self):
         path = self.path / "scene.xml"

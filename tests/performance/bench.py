@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Phase times of whole scenes, of one program or of two in turn.
 usage: bench.py [--abut PROGRAM] [--against PROGRAM] [--scenes facet_friction ...] [--runs 5] [--size 1]
-                [--output FOLDER]
+                [--ranks 1] [--output FOLDER]
 
-Each scene of bench_scenes.py is run --runs times on one rank; with --against each run is followed by one of the
+Each scene of bench_scenes.py is run --runs times; with --against each run is followed by one of the
 other program, so that a machine that is now fast and now slow favours none. Times are seconds on the processor: a
 phase's wall seconds times the part of its run in which the program had a processor. `share` is of the whole program,
 `ratio` that of the first program over the other one's, of the least times and of the medians. Where the two needed
@@ -29,17 +29,17 @@ ROWS = ("search", "contact", BOTH, "solid", "assembly", "linear_solve", WHOLE)
 class Run:
     """What one run counted and how long it was on the processor [s]."""
 
-    def __init__(self, program, deck, seconds):
+    def __init__(self, program, deck, seconds, ranks):
         scenes.EXECUTABLE = str(program)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        result = scenes.run(deck, ranks=1, seconds=seconds)
+        result = scenes.run(deck, ranks=ranks, seconds=seconds)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.processor = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
         self.wall = result.seconds
         self.unknowns = result.summary["unknowns"]
         self.active_points = sum(c["active_points"] for c in result.summary["contact"].values())
         self.counts = {key: result.summary[key] for key in COUNTS}
-        had = min(1.0, self.processor / self.wall)
+        had = min(1.0, self.processor / (ranks * self.wall))
         self.seconds = {phase: had * result.summary["phase_seconds"][phase] for phase in PHASES}
         self.seconds[BOTH] = self.seconds["search"] + self.seconds["contact"]
         self.seconds[WHOLE] = self.processor
@@ -48,11 +48,11 @@ class Run:
 class Comparison:
     """Runs of one scene: (programs)(runs)."""
 
-    def __init__(self, deck, programs, runs, seconds):
+    def __init__(self, deck, programs, runs, seconds, ranks):
         self.runs = [[] for _ in programs]
         for _ in range(runs):
             for made, program in zip(self.runs, programs):
-                made.append(Run(program, deck, seconds))
+                made.append(Run(program, deck, seconds, ranks))
 
     @property
     def same_counts(self):
@@ -113,13 +113,14 @@ def main():
                         metavar="SCENE", help=", ".join(bench_scenes.SCENES))
     parser.add_argument("--runs", type=int, default=5, help="of each scene and program")
     parser.add_argument("--size", type=float, default=1.0, help="multiplies the cells along an edge")
+    parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=600.0, help="time limit of a run")
     parser.add_argument("--output", type=pathlib.Path, help="folder of scenes.json")
     known = parser.parse_args()
     programs = [found(program) for program in (known.abut, known.against) if program]
     records = {}
     for name in known.scenes:
-        comparison = Comparison(bench_scenes.SCENES[name](known.size), programs, known.runs, known.seconds)
+        comparison = Comparison(bench_scenes.SCENES[name](known.size), programs, known.runs, known.seconds, known.ranks)
         print("\n".join(comparison.lines(name)), flush=True)
         records[name] = comparison.record()
     if known.output:

@@ -5,6 +5,8 @@ SCENES[name](size) is a deck; size multiplies the cells along an edge. The decks
 for long, so that an older program reads them too.
 """
 
+import block_on_block
+
 ELASTIC = {"young": 1.0, "poisson": 0.3}
 AUGMENTED = {"enforcement": "augmented_lagrangian"}
 PRESS, SLIDE = 0.01, (0.06, 0.025)
@@ -71,6 +73,7 @@ SCENES = {
     "dual_friction": lambda size: elastic_plates(16 * size, friction=0.3, points=6, multipliers="dual", **AUGMENTED),
     "dual_ball": lambda size: ball(24 * size, points=6, multipliers="dual", **AUGMENTED),
     "smoothed_ball": lambda size: ball(24 * size, points=6, multipliers="smoothed", **AUGMENTED),
+    "punch": lambda size: block_on_block.deck(16 * size, 13 * size),
     "rigid_facets": lambda size: rigid_plates(64 * size),
     "rigid_nodes": lambda size: rigid_plates(48 * size, formulation="node_on_facet"),
 }

@@ -57,7 +57,7 @@ class Ratios(unittest.TestCase):
         def program(seconds, iterations):
             return [mock.Mock(seconds={row: t for row in bench.ROWS}, counts={"linear_iterations": iterations})
                     for t in seconds]
-        made = bench.Comparison({}, [], 0, 0)
+        made = bench.Comparison({}, [], 0, 0, 1)
         made.runs = [program(*first), program(*second)]
         return made
 

@@ -48,10 +48,8 @@ template <int D> struct Halving {
                        const double ca = center(a, axis), cb = center(b, axis);
                        return ca != cb ? ca < cb : a < b;
                      });
-    const Local left = split(first, half);
-    const Local right = split(first + half, count - half);
-    nodes[id].left = left;
-    nodes[id].right = right;
+    split(first, half);
+    nodes[id].right = split(first + half, count - half);
     return id;
   }
 };
@@ -66,20 +64,26 @@ template <int D> void Bvh<D>::build(const std::vector<Box<D>>& boxes) {
     halving.split(0, static_cast<Local>(boxes.size()));
   nodes_ = make_view("abut::search::nodes", halving.nodes);
   items_ = make_view("abut::search::items", halving.items);
-  boxes_ = make_view("abut::search::boxes", boxes);
+  boxes_ = View<Box<D>>("abut::search::boxes", boxes.size());
+  place(boxes);
+}
+
+template <int D> void Bvh<D>::place(const std::vector<Box<D>>& boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    boxes_(i) = boxes[std::size_t(items_(i))];
 }
 
 template <int D> void Bvh<D>::refit(const std::vector<Box<D>>& boxes) {
   ABUT_REQUIRE(boxes.size() == boxes_.extent(0), "refit needs the boxes the tree was built on");
-  std::copy(boxes.begin(), boxes.end(), boxes_.data());
+  place(boxes);
   for (auto id = nodes_.extent(0); id-- > 0;) {
     TreeNode<D>& node = nodes_(id);
     node.box = Box<D>::empty();
     for (Local k = node.first; k < node.first + node.count; ++k)
-      node.box.add(boxes_(items_(k)));
+      node.box.add(boxes_(k));
     if (node.count > 0)
       continue;
-    node.box.add(nodes_(node.left).box);
+    node.box.add(nodes_(id + 1).box);
     node.box.add(nodes_(node.right).box);
   }
 }
@@ -96,7 +100,7 @@ template <int D> std::vector<Box<D>> Bvh<D>::summary(int levels) const {
     if (level == levels || node.count > 0) {
       result.push_back(node.box);
     } else {
-      open.push_back({node.left, level + 1});
+      open.push_back({id + 1, level + 1});
       open.push_back({node.right, level + 1});
     }
   }

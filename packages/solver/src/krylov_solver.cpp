@@ -38,6 +38,26 @@ std::string scientific(double x) {
   return text.str();
 }
 
+/// An operator whose time is counted.
+class Measured : public Operator {
+public:
+  Measured(RCP<const Operator> inner, double& seconds)
+      : inner_(std::move(inner)), seconds_(seconds) {}
+
+  RCP<const Map> getDomainMap() const override { return inner_->getDomainMap(); }
+  RCP<const Map> getRangeMap() const override { return inner_->getRangeMap(); }
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode, double alpha,
+             double beta) const override {
+    const Stopwatch watch;
+    inner_->apply(x, y, mode, alpha, beta);
+    seconds_ += watch.seconds();
+  }
+
+private:
+  RCP<const Operator> inner_;
+  double& seconds_;
+};
+
 } // namespace
 
 class KrylovSolver::Implementation {
@@ -146,10 +166,11 @@ private:
     x.putScalar(0.0);
     const auto problem = rcp(new Problem(matrix_, Teuchos::rcpFromRef<MultiVector>(x),
                                          Teuchos::rcpFromRef<const MultiVector>(b)));
+    const RCP<const Operator> measured = rcp(new Measured(preconditioner_, owner_.apply_seconds()));
     if (conjugate_gradients)
-      problem->setLeftPrec(preconditioner_);
+      problem->setLeftPrec(measured);
     else
-      problem->setRightPrec(preconditioner_);
+      problem->setRightPrec(measured);
     problem->setProblem();
     const auto list = Teuchos::parameterList();
     list->set("Convergence Tolerance", tolerance);

@@ -191,3 +191,34 @@ TEST_P(Queries, LinesThroughEdgesAreNotMissed) {
     }
   }
 }
+
+// More faces meet at the tip of a cone than a query keeps: still the lowest number is the answer.
+TEST(QueriesAtTies, MoreTiesThanAreKept) {
+  const int n = 3 * NearestFaces::most;
+  std::vector<Vec3> x{{{0.0, 0.0, 0.1}}};
+  std::vector<Local> offset{0}, node;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2.0 * std::acos(-1.0) * k / n;
+    x.push_back({{std::cos(angle), std::sin(angle), 0.0}});
+    const int face = (k * 7) % n; // numbers in no order around the tip
+    for (const Local a : {0, 1 + face, 1 + (face + 1) % n})
+      node.push_back(a);
+    offset.push_back(static_cast<Local>(node.size()));
+  }
+  const std::vector<FaceType> types(std::size_t(n), FaceType::tri3);
+  const Faces faces{make_view("type", types), make_view("offset", offset), make_view("node", node),
+                    make_view("x", x)};
+  std::vector<Box<3>> boxes;
+  for (Local f = 0; f < faces.size(); ++f) {
+    Vec3 y[fem::max_face_nodes];
+    faces.coordinates(f, y);
+    boxes.push_back(face_box(FaceType::tri3, y));
+  }
+  Bvh<3> tree;
+  tree.build(boxes);
+  const PointQuery query{{{0.0, 0.0, 0.5}}, 1.0};
+  const Nearest found = nearest(faces, tree.view(), query);
+  EXPECT_EQ(found.face, 0);
+  EXPECT_NEAR(found.distance, 0.4, 1e-14);
+  expect_same(found, nearest_by_trying_all(faces, query));
+}

@@ -31,15 +31,16 @@ KOKKOS_INLINE_FUNCTION void projection_step(const fem::FacePoint<T>& p, const Ve
   step[1] = (a * r1 - b * r0) / determinant;
 }
 
-/// Projects x on the face with nodes y, starting from xi. Not converged when Newton does not settle
-/// or leaves the neighbourhood of the face.
-KOKKOS_INLINE_FUNCTION Projection project(fem::FaceType type, const Vec3* y, const Vec3& x,
-                                          const double start[2]) {
+/// Projects x on a face that `face(xi, point)` evaluates, starting from xi. Not converged when
+/// Newton does not settle or leaves the neighbourhood of the face.
+template <class Face>
+KOKKOS_INLINE_FUNCTION Projection project_on(const Face& face, const Vec3& x,
+                                             const double start[2]) {
   constexpr double far = 3.0;
   Projection result{{start[0], start[1]}, false};
   fem::FacePoint<double> p;
   for (int iteration = 0; iteration < 40; ++iteration) {
-    fem::face_point(type, y, result.xi, p);
+    face(result.xi, p);
     double step[2];
     projection_step(p, x, step, iteration > 0);
     const double size = std::sqrt(step[0] * step[0] + step[1] * step[1]);
@@ -56,6 +57,14 @@ KOKKOS_INLINE_FUNCTION Projection project(fem::FaceType type, const Vec3* y, con
     }
   }
   return result;
+}
+
+/// The same on the face with nodes y.
+KOKKOS_INLINE_FUNCTION Projection project(fem::FaceType type, const Vec3* y, const Vec3& x,
+                                          const double start[2]) {
+  return project_on(
+      [&](const double* xi, fem::FacePoint<double>& p) { fem::face_point(type, y, xi, p); }, x,
+      start);
 }
 
 } // namespace abut::search

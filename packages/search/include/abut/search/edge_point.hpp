@@ -28,10 +28,12 @@ KOKKOS_INLINE_FUNCTION double monotone_root(const double c[4], double low, doubl
 
 /// The parameter in [-1, 1] at which the edge from a (t = -1) over the middle node m to b (t = 1)
 /// is closest to x: the least of all stationary points and ends, not of one near a start. A
-/// straight edge has m = (a + b) / 2.
+/// straight edge has m = (a + b) / 2, to the bit.
 KOKKOS_INLINE_FUNCTION double closest_on_edge(const Vec3& a, const Vec3& m, const Vec3& b,
                                               const Vec3& x) {
   const Vec3 r = m - x, h = 0.5 * (b - a), q = 0.5 * (a + b) - m; // r + h t + q t^2
+  if (q[0] == 0.0 && q[1] == 0.0 && q[2] == 0.0)
+    return fmin(1.0, fmax(-1.0, -dot(r, h) / dot(h, h)));
   const auto distance2 = [&](double t) {
     const Vec3 d = r + t * h + (t * t) * q;
     return dot(d, d);

@@ -4,6 +4,7 @@
 #include "abut/search/closest_point.hpp"
 #include "abut/search/edge_point.hpp"
 #include "abut/search/ray.hpp"
+#include "abut/search/straight_face.hpp"
 
 /// One face against one point or line, edges and corners included.
 namespace abut::search {
@@ -37,11 +38,18 @@ KOKKOS_INLINE_FUNCTION void node_parameters(fem::FaceType type, int a, double xi
   fem::dispatch_face(type, [&](auto face) { decltype(face)::node(a, xi); });
 }
 
+/// A point of the boundary of a face.
+struct BoundaryPoint {
+  FaceMeeting meeting;
+  int edge = -1;   ///< from this corner to the next
+  int corner = -1; ///< where it lies on one
+};
+
 /// The point of the boundary of the face with nodes y that is closest to x.
-KOKKOS_INLINE_FUNCTION FaceMeeting closest_on_boundary(fem::FaceType type, const Vec3* y,
-                                                       const Vec3& x) {
+KOKKOS_INLINE_FUNCTION BoundaryPoint closest_boundary_point(fem::FaceType type, const Vec3* y,
+                                                            const Vec3& x) {
   const int corners = fem::face_corners(type);
-  FaceMeeting best;
+  BoundaryPoint best;
   for (int e = 0; e < corners; ++e) {
     const int next = (e + 1) % corners;
     const bool curved = fem::face_nodes(type) > corners;
@@ -53,10 +61,26 @@ KOKKOS_INLINE_FUNCTION FaceMeeting closest_on_boundary(fem::FaceType type, const
     for (int i = 0; i < 2; ++i)
       xi[i] = 0.5 * ((1.0 - t) * from[i] + (1.0 + t) * to[i]);
     const double distance = norm(place_on_face(type, y, xi) - x);
-    if (distance < best.distance)
-      best = {{xi[0], xi[1]}, distance, true};
+    if (distance < best.meeting.distance)
+      best = {{{xi[0], xi[1]}, distance, true}, e, t == -1.0 ? e : t == 1.0 ? next : -1};
   }
   return best;
+}
+
+KOKKOS_INLINE_FUNCTION FaceMeeting closest_on_boundary(fem::FaceType type, const Vec3* y,
+                                                       const Vec3& x) {
+  return closest_boundary_point(type, y, x).meeting;
+}
+
+/// Where there can be but one: the closest point of the face, if it lies within.
+KOKKOS_INLINE_FUNCTION FaceMeeting only_closest_within(fem::FaceType type, const StraightFace& face,
+                                                       const Vec3& x) {
+  double start[2];
+  fem::dispatch_face(type, [&](auto shape) { decltype(shape)::center(start); });
+  const Projection p = project_on(face, x, start);
+  if (!p.converged || !is_inside(type, p.xi))
+    return {};
+  return {{p.xi[0], p.xi[1]}, norm(face.place(p.xi) - x), true};
 }
 
 /// The point of the face with nodes y that is closest to x. Within the face Newton's method starts
@@ -64,6 +88,13 @@ KOKKOS_INLINE_FUNCTION FaceMeeting closest_on_boundary(fem::FaceType type, const
 /// more minima within, another may be closer.
 KOKKOS_INLINE_FUNCTION FaceMeeting closest_on_face(fem::FaceType type, const Vec3* y,
                                                    const Vec3& x) {
+  if (is_straight(type)) {
+    const StraightFace face(type, y);
+    if (face.has_one_closest_point(x)) {
+      const FaceMeeting within = only_closest_within(type, face, x);
+      return within.found ? within : closest_on_boundary(type, y, x);
+    }
+  }
   FaceMeeting best = closest_on_boundary(type, y, x);
   double starts[2][2] = {{0.0, 0.0}, {best.xi[0], best.xi[1]}};
   fem::dispatch_face(type, [&](auto face) { decltype(face)::center(starts[0]); });
@@ -84,6 +115,10 @@ KOKKOS_INLINE_FUNCTION FaceMeeting hit_on_face(fem::FaceType type, const Vec3* y
                                                const Vec3& origin, const Vec3& direction,
                                                double reach) {
   FaceMeeting best;
+  const bool straight = is_straight(type);
+  const Sight sight = straight ? sight_of(type, y, origin, direction) : Sight::unclear;
+  if (sight == Sight::beside)
+    return best;
   const int corners = type == fem::FaceType::tri3 ? 0 : fem::face_corners(type);
   for (int start = -1; start < corners; ++start) {
     double xi[2];
@@ -91,10 +126,14 @@ KOKKOS_INLINE_FUNCTION FaceMeeting hit_on_face(fem::FaceType type, const Vec3* y
       fem::dispatch_face(type, [&](auto face) { decltype(face)::center(xi); });
     else
       node_parameters(type, start, xi);
-    const RayHit hit = intersect(type, y, origin, direction, xi);
-    if (hit.converged && is_inside(type, hit.xi) && std::fabs(hit.distance) <= reach &&
-        std::fabs(hit.distance) < std::fabs(best.distance))
+    const RayHit hit = straight ? intersect_with(StraightFace(type, y), origin, direction, xi)
+                                : intersect(type, y, origin, direction, xi);
+    if (!hit.converged || !is_inside(type, hit.xi))
+      continue;
+    if (std::fabs(hit.distance) <= reach && std::fabs(hit.distance) < std::fabs(best.distance))
       best = {{hit.xi[0], hit.xi[1]}, hit.distance, true};
+    if (sight == Sight::once)
+      break;
   }
   return best;
 }

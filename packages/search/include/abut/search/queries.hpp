@@ -25,15 +25,18 @@ struct Line {
   Vec3 origin, direction; ///< direction of length 1
 };
 
+/// Sum of a box's edges: no less than its diagonal, without a root.
+KOKKOS_INLINE_FUNCTION double span(const Box<3>& box) {
+  return (box.high[0] - box.low[0]) + (box.high[1] - box.low[1]) + (box.high[2] - box.low[2]);
+}
+
 /// What is asked of a face, for a point.
 struct PointQuery {
   Vec3 x;
   double reach; ///< [length]
 
-  KOKKOS_INLINE_FUNCTION const double* from() const { return x.v; }
-  KOKKOS_INLINE_FUNCTION bool meets(const Box<3>& box, double limit) const {
-    return box.distance2(x.v) <= limit * limit;
-  }
+  /// Square of the least distance that a face within the box can have.
+  KOKKOS_INLINE_FUNCTION double bound(const Box<3>& box) const { return box.distance2(x.v); }
   KOKKOS_INLINE_FUNCTION FaceMeeting meet(fem::FaceType type, const Vec3* y) const {
     FaceMeeting m = closest_on_face(type, y, x);
     m.found = m.found && m.distance <= reach;
@@ -45,52 +48,127 @@ struct PointQuery {
 struct LineQuery {
   Line line;
   double reach; ///< ahead and behind [length]
+  Vec3 inverse; ///< of the direction's components that are not 0
 
-  KOKKOS_INLINE_FUNCTION const double* from() const { return line.origin.v; }
+  KOKKOS_INLINE_FUNCTION LineQuery(const Line& along, double far) : line(along), reach(far) {
+    for (int i = 0; i < 3; ++i)
+      inverse[i] = line.direction[i] == 0.0 ? 0.0 : 1.0 / line.direction[i];
+  }
+
+  /// Square of the least distance at which the line may hit a face within the box, ahead or behind;
+  /// negative: nowhere. Hits count up to edge_margin outside a face.
+  KOKKOS_INLINE_FUNCTION double bound(const Box<3>& box) const {
+    const double margin = 2.0 * edge_margin * span(box);
+    double t0 = -reach, t1 = reach;
+    for (int i = 0; i < 3; ++i) {
+      const double low = box.low[i] - margin - line.origin[i];
+      const double high = box.high[i] + margin - line.origin[i];
+      if (line.direction[i] == 0.0) {
+        if (low > 0.0 || high < 0.0)
+          return -1.0;
+        continue;
+      }
+      const double a = low * inverse[i], b = high * inverse[i];
+      t0 = (a < b ? a : b) > t0 ? (a < b ? a : b) : t0;
+      t1 = (a < b ? b : a) < t1 ? (a < b ? b : a) : t1;
+    }
+    if (t0 > t1)
+      return -1.0;
+    return t0 > 0.0 ? t0 * t0 : t1 < 0.0 ? t1 * t1 : 0.0;
+  }
   KOKKOS_INLINE_FUNCTION bool meets(const Box<3>& box, double limit) const {
-    Box<3> wide = box; // hits count up to edge_margin outside the face
-    wide.inflate(2.0 * edge_margin * diagonal(box));
-    return wide.meets_line(line.origin.v, line.direction.v, limit);
+    const double b = bound(box);
+    return b >= 0.0 && b <= limit * limit;
   }
   KOKKOS_INLINE_FUNCTION FaceMeeting meet(fem::FaceType type, const Vec3* y) const {
     return hit_on_face(type, y, line.origin, line.direction, reach);
   }
 };
 
+/// Faces met that are as near as the nearest so far, up to ties.
+struct NearestFaces {
+  static constexpr int most = 16; ///< that are kept; more share a corner in meshes gone wild
+  struct Met {
+    Nearest at;
+    double tie; ///< distances differ by no more than this [length]
+  };
+  Met met[most];
+  int count = 0;
+  double least;      ///< distance of the nearest, or the reach
+  bool lost = false; ///< there were more
+
+  KOKKOS_INLINE_FUNCTION explicit NearestFaces(double reach) : least(reach) {}
+
+  KOKKOS_INLINE_FUNCTION bool is_nearest(const Met& m) const {
+    return std::fabs(m.at.distance) <= least + m.tie;
+  }
+  KOKKOS_INLINE_FUNCTION void add(const Met& m) {
+    if (!is_nearest(m))
+      return;
+    least = fmin(least, std::fabs(m.at.distance));
+    if (count == most)
+      drop_far();
+    if (count < most)
+      met[count++] = m;
+    else
+      lost = true;
+  }
+  /// The one with the lowest number.
+  KOKKOS_INLINE_FUNCTION Nearest lowest() const {
+    Nearest best;
+    for (int i = 0; i < count; ++i)
+      if (is_nearest(met[i]) && (best.face < 0 || met[i].at.face < best.face))
+        best = met[i].at;
+    return best;
+  }
+
+private:
+  KOKKOS_INLINE_FUNCTION void drop_far() {
+    int kept = 0;
+    for (int i = 0; i < count; ++i)
+      if (is_nearest(met[i]))
+        met[kept++] = met[i];
+    count = kept;
+  }
+};
+
 /// The nearest face to a query, by the tree over the faces' boxes (face_box).
 template <class Query>
 KOKKOS_INLINE_FUNCTION Nearest nearest(const Faces& faces, const Tree<3>& tree, const Query& q) {
-  const auto meet = [&](Local face, double& size) {
+  const auto bound = [&](const Box<3>& box) { return q.bound(box); };
+  const auto meet = [&](Local face) -> NearestFaces::Met {
     Vec3 y[fem::max_face_nodes];
     faces.coordinates(face, y);
-    size = diagonal(face_box(faces.type(face), y));
-    return q.meet(faces.type(face), y);
+    const FaceMeeting m = q.meet(faces.type(face), y);
+    if (!m.found)
+      return {{-1, {0.0, 0.0}, 1e300}, 0.0};
+    return {{face, {m.xi[0], m.xi[1]}, m.distance},
+            same_distance * diagonal(face_box(faces.type(face), y))};
   };
-  double least = q.reach, size = 0.0;
-  bool any = false;
-  tree.traverse(
-      [&](const Box<3>& box) { return q.meets(box, least + same_distance * diagonal(box)); },
-      [&](Local face) {
-        const FaceMeeting m = meet(face, size);
-        if (m.found && std::fabs(m.distance) <= least) {
-          least = std::fabs(m.distance);
-          any = true;
-        }
+  NearestFaces near(q.reach);
+  tree.traverse_nearest_first(
+      bound,
+      [&](const Box<3>& box, double b) {
+        const double limit = near.least + same_distance * span(box);
+        return b <= limit * limit;
       },
-      [&](const Box<3>& a, const Box<3>& b) { // what is near soon shuts out what is far
-        return a.distance2(q.from()) <= b.distance2(q.from());
-      });
-  Nearest best;
-  if (!any)
+      [&](Local face) { near.add(meet(face)); });
+  Nearest best = near.lowest();
+  if (!near.lost)
     return best;
-  tree.traverse(
-      [&](const Box<3>& box) { return q.meets(box, least + 2.0 * same_distance * diagonal(box)); },
+  const double least = near.least; // more ties than could be kept: once more, for the lowest
+  tree.traverse_nearest_first(
+      bound,
+      [&](const Box<3>& box, double b) {
+        const double limit = least + 2.0 * same_distance * span(box);
+        return b <= limit * limit;
+      },
       [&](Local face) {
-        if (best.face >= 0 && face > best.face)
+        if (face >= best.face)
           return;
-        const FaceMeeting m = meet(face, size);
-        if (m.found && std::fabs(m.distance) <= least + same_distance * size)
-          best = {face, {m.xi[0], m.xi[1]}, m.distance};
+        const NearestFaces::Met m = meet(face);
+        if (near.is_nearest(m))
+          best = m.at;
       });
   return best;
 }

@@ -33,15 +33,16 @@ KOKKOS_INLINE_FUNCTION bool ray_step(const fem::FacePoint<T>& p, const Vec<T, 3>
   return true;
 }
 
-/// Intersects the line with the face of nodes y, starting from xi. Not converged when Newton does
-/// not settle or leaves the neighbourhood of the face.
-KOKKOS_INLINE_FUNCTION RayHit intersect(fem::FaceType type, const Vec3* y, const Vec3& origin,
-                                        const Vec3& direction, const double start[2]) {
+/// Intersects the line with a face that `face(xi, point)` evaluates, starting from xi. Not
+/// converged when Newton does not settle or leaves the neighbourhood of the face.
+template <class Face>
+KOKKOS_INLINE_FUNCTION RayHit intersect_with(const Face& face, const Vec3& origin,
+                                             const Vec3& direction, const double start[2]) {
   constexpr double far = 3.0;
   RayHit hit{{start[0], start[1]}, 0.0, false};
   fem::FacePoint<double> p;
   for (int iteration = 0; iteration < 40; ++iteration) {
-    fem::face_point(type, y, hit.xi, p);
+    face(hit.xi, p);
     if (iteration == 0)
       hit.distance = dot(direction, p.x - origin) / dot(direction, direction);
     double step[3];
@@ -62,6 +63,14 @@ KOKKOS_INLINE_FUNCTION RayHit intersect(fem::FaceType type, const Vec3* y, const
     }
   }
   return hit;
+}
+
+/// The same with the face of nodes y.
+KOKKOS_INLINE_FUNCTION RayHit intersect(fem::FaceType type, const Vec3* y, const Vec3& origin,
+                                        const Vec3& direction, const double start[2]) {
+  return intersect_with(
+      [&](const double* xi, fem::FacePoint<double>& p) { fem::face_point(type, y, xi, p); }, origin,
+      direction, start);
 }
 
 } // namespace abut::search

@@ -31,6 +31,7 @@ struct LinearUse {
   long long failures = 0;     ///< matrices that it gave up on
   double seconds = 0.0;       ///< wall time on this rank
   double setup_seconds = 0.0; ///< of these for setups
+  double apply_seconds = 0.0; ///< of these for the preconditioner; what is left is Krylov's own
 };
 
 class Stopwatch {
@@ -80,6 +81,8 @@ public:
 protected:
   /// `work` makes factors or a hierarchy; whether it did is what it returns.
   template <class Work> void measured_setup(Work work);
+  /// Where to add what applying a preconditioner takes.
+  double& apply_seconds() { return use_.apply_seconds; }
 
 private:
   virtual void do_setup(const RCP<const Matrix>& matrix, long graph_version, bool symmetric) = 0;
