@@ -158,17 +158,103 @@ template <class F, class M> std::array<double, 2> hourglass_range(const M& law, 
   return range;
 }
 
-// However far the element is pressed or drawn: the energy of the mean knows nothing of hourglass
-// modes, that of the modes is positive.
+// However far the element is pressed or drawn, where the law itself is stable.
 TEST(EnhancedHex8, HasNoHourglassModeWithoutStiffnessInHomogeneousStates) {
-  const Mat3 states[] = {stretches(1.0, 1.0, 1.0), stretches(1.0, 1.0, 0.2),
+  const Mat3 states[] = {stretches(1.0, 1.0, 1.0),  stretches(1.0, 1.0, 0.2),
                          stretches(1.6, 1.6, 0.39), stretches(0.5, 0.5, 0.5),
-                         stretches(0.7, 0.7, 2.0)};
+                         stretches(0.7, 0.7, 2.0),  stretches(2.0, 2.0, 2.0)};
   for (const Mat3& h : states) {
     EXPECT_GT(hourglass_range<Enhanced>(NeoHookean{0.4, 0.7}, h)[0], 0.01);
-    EXPECT_GT(hourglass_range<Enhanced>(SaintVenantKirchhoff{0.4, 0.7}, h)[0], 0.01);
+    EXPECT_GT(hourglass_range<Enhanced>(NeoHookean{0.4, 70.0}, h)[0], 0.01);
+    EXPECT_GT(hourglass_range<Enhanced>(HolmesMow{0.4, 0.3, 0.35}, h)[0], 0.01);
     EXPECT_GT(hourglass_range<Enhanced>(MooneyRivlin(1e3, 0.1, 0.1), h)[0], 0.01);
   }
+  EXPECT_GT(hourglass_range<Enhanced>(SaintVenantKirchhoff{0.4, 0.7}, stretches(1.3, 1.3, 1.3))[0],
+            0.01);
+}
+
+/// A cube under u_x = (l - 1) x + amount x z: stretched along x, by more above than below.
+void bent(double l, double amount, const Nodal& x, Nodal& u) {
+  for (int a = 0; a < 8; ++a) {
+    u[0][a] = (l - 1.0) * x[0][a] + amount * x[0][a] * x[2][a];
+    u[1][a] = u[2][a] = 0.0;
+  }
+}
+
+// Without a lateral strain (lambda is zero) W = G/2 (l^2 - 1) - G ln l of fibers, of which W'' is
+// taken: a stiffness of hourglass modes at rest would be right at l = 1 alone.
+TEST(EnhancedHex8, BendsAsItsLawWhenStretched) {
+  const double shear = 0.4;
+  for (const double l : {0.4, 1.0, 2.0}) {
+    Nodal x, u, mode;
+    box(x, {{1.0, 1.0, 1.0}});
+    bent(l, 0.0, x, u);
+    bent(1.0, 1.0, x, mode);
+    const Matrix k = tangent<Enhanced>(NeoHookean{shear, 0.0}, x, u);
+    double stiffness = 0.0;
+    for (int m = 0; m < size; ++m)
+      for (int n = 0; n < size; ++n)
+        stiffness += mode[m % 3][m / 3] * k[std::size_t(m)][std::size_t(n)] * mode[n % 3][n / 3];
+    EXPECT_NEAR(stiffness, shear * (1.0 + 1.0 / (l * l)) / 12.0, 1e-12) << l;
+  }
+}
+
+// Of a box the corners are its own.
+TEST(EnhancedHex8, ReportsTheSmallestJacobianOfItsCorners) {
+  std::mt19937 engine(11);
+  const NeoHookean law{0.4, 0.7};
+  int folded = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    Nodal x, u, r;
+    box(x, {{1.0, 2.0, 0.7}});
+    const auto random = test::random_vector(size, 0.5, engine);
+    for (int a = 0; a < 8; ++a)
+      for (int i = 0; i < 3; ++i)
+        u[i][a] = random[std::size_t(3 * a + i)];
+    double least = 1e300;
+    for (int a = 0; a < 8; ++a) {
+      double xi[3], d[8][3], by_xi[3][8];
+      fem::CellShape<CellType::hex8>::node(a, xi);
+      fem::CellShape<CellType::hex8>::derivatives(xi, d);
+      for (int k = 0; k < 3; ++k)
+        for (int b = 0; b < 8; ++b)
+          by_xi[k][b] = d[b][k];
+      const Mat3 before = nodal_gradient(x, by_xi), moved = nodal_gradient(u, by_xi);
+      Mat3 now = before;
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+          now[i][k] += moved[i][k];
+      least = std::min(least, det(now) / det(before));
+    }
+    const double reported = Enhanced::residual<CellType::hex8>(law, x, u, r);
+    const double mean =
+        Deformation<double>(nodal_gradient(u, Enhanced::reference(law, x).gradient)).jacobian();
+    if (reported > 0.0 || (least < 0.0 && mean > 0.0)) {
+      EXPECT_NEAR(reported, std::min(least, mean), 1e-12);
+    }
+    folded += least < 0.0;
+  }
+  EXPECT_GT(folded, 2);
+  EXPECT_LT(folded, 38);
+}
+
+// At an amount of 2 the lower edge along x has no length.
+TEST(EnhancedHex8, ResistsFoldingOfItsCorners) {
+  const NeoHookean law{0.4, 0.7};
+  Nodal x, u, r;
+  box(x, {{1.0, 1.0, 1.0}});
+  double force[2] = {};
+  for (const int k : {0, 1}) {
+    const double amount = k == 0 ? 1.5 : 1.99;
+    bent(1.0, amount, x, u);
+    ASSERT_GT(Enhanced::residual<CellType::hex8>(law, x, u, r), 0.0);
+    force[k] = std::abs(r[0][1]);
+  }
+  EXPECT_GT(force[0], 0.1);
+  EXPECT_GT(force[1], 100.0 * force[0]);
+  bent(1.0, 2.0001, x, u);
+  EXPECT_NEAR(Enhanced::residual<CellType::hex8>(law, x, u, r), -5e-5, 1e-12);
+  EXPECT_GT(Displacement::residual<CellType::hex8>(law, x, u, r), 0.0); // sees it at points alone
 }
 
 // The stress of the element is the mean of what its nodal forces hold in balance.
