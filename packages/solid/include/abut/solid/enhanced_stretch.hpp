@@ -34,9 +34,10 @@ template <class T> struct EnhancedStretch {
       least = least <= minor ? least : minor;
     if (!(least > 0.0))
       return false;
-    inverse = inverse_gradient(d);
+    const T scale = 1.0 / d.jacobian();
+    invert(E, scale);
     using std::cbrt;
-    const T change = (tr - d.volume_change) / d.jacobian(); // phi^3 - 1
+    const T change = (tr - d.volume_change) * scale; // phi^3 - 1
     const T phi = cbrt(1.0 + change);
     const T more = change / (1.0 + phi * (1.0 + phi)); // phi - 1 without the loss of a difference
     for (int i = 0; i < 3; ++i) {
@@ -45,6 +46,19 @@ template <class T> struct EnhancedStretch {
       excess[i][i] += more;
     }
     return true;
+  }
+
+private:
+  /// scale: 1 / det(I + E)
+  KOKKOS_INLINE_FUNCTION void invert(const Mat<T, 3>& E, const T& scale) {
+    Mat<T, 3> a = E;
+    for (int i = 0; i < 3; ++i)
+      a[i][i] += 1.0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        const int k = (i + 1) % 3, l = (i + 2) % 3, m = (j + 1) % 3, n = (j + 2) % 3;
+        inverse[i][j] = inverse[j][i] = scale * (a[k][m] * a[l][n] - a[k][n] * a[l][m]);
+      }
   }
 };
 
@@ -70,13 +84,28 @@ template <class T> struct StretchStress {
   }
 };
 
+/// Lanes of the components of E: which they are, as numbers.
+struct StrainLanes {
+  static constexpr int lanes = 8; ///< components of E, and none
+  double row[3][lanes] = {}, column[3][lanes] = {}, trace[lanes] = {};
+  double pair[voigt_size][lanes] = {}, times[lanes] = {}; ///< off-diagonal ones are counted twice
+
+  KOKKOS_INLINE_FUNCTION constexpr StrainLanes() {
+    for (int v = 0; v < voigt_size; ++v) {
+      row[voigt_row[v]][v] = column[voigt_column[v]][v] = 1.0;
+      trace[v] = v < 3 ? 1.0 : 0.0;
+      times[v] = pair[v][v] = v < 3 ? 1.0 : 2.0;
+    }
+  }
+};
+
 /// Second derivatives of a point's energy: by E, twice, and by E and the rate of deformation of the
 /// mean. With M = mean dS S^-1 mean^-1 for each component of E, m = d ln phi, G = (I + E)^-1:
 ///   mixed:  c sym M + M tau + tau M^T
 ///   strain: M (c sym M + M tau) + 2 m sym(Z G) dE
 ///           + tr tau (m m + tr(G dE G dE) / 3 - (tr dE)^2 / (1 + tr E)^2 / 3)
 struct StretchTangent {
-  static constexpr int lanes = 8;   ///< components of E, and none
+  static constexpr int lanes = StrainLanes::lanes;
   double strain[voigt_size][lanes]; ///< by components of E, off-diagonal ones counted twice
   double mixed[voigt_size][lanes];  ///< [stress][E]
 
@@ -93,27 +122,48 @@ struct StretchTangent {
   KOKKOS_INLINE_FUNCTION void set(const Mat3& mean_inverse, const EnhancedStretch<double>& stretch,
                                   const StretchStress<double>& stress, const Mat3& tau,
                                   const double (&c)[6][6]) {
-    const Mat3& G = stretch.inverse;
-    const Mat3 right = G * mean_inverse;
-    const double part = 1.0 / stretch.volume;
-    double volume[lanes] = {}, by_volume[lanes] = {}; // m, sym(Z G) dE
-    double of_first[3][lanes] = {}, of_second[3][lanes] = {};
-    for (int v = 0; v < voigt_size; ++v) {
-      const int k = voigt_row[v], l = voigt_column[v];
-      volume[v] = k == l ? (part - G[k][k]) / 3.0 : -2.0 * G[k][l] / 3.0;
-      by_volume[v] = k == l ? stress.back[k][k] : 2.0 * stress.back[k][l];
-      for (int i = 0; i < 3; ++i) {
-        of_first[i][v] = right[l][i];
-        of_second[i][v] = right[k][i];
-      }
+    set_volume(stretch, stress);
+    set_moved(stretch.inverse * mean_inverse);
+    set_stretched(tau, c);
+    set_strain(stretch, stress.pressure);
+  }
+
+private:
+  static constexpr StrainLanes is = {};
+  double first[3][lanes] = {}, second[3][lanes] = {}; ///< columns of the mean
+  double volume[lanes], by_volume[lanes];             ///< m, sym(Z G) dE
+  double moved[3][3][lanes], stretched[3][3][lanes];  ///< M, c sym M + M tau
+
+  KOKKOS_INLINE_FUNCTION void set_volume(const EnhancedStretch<double>& stretch,
+                                         const StretchStress<double>& stress) {
+    const Mat3 &G = stretch.inverse, &back = stress.back;
+    const double part = 1.0 / stretch.volume, third = 1.0 / 3.0;
+#pragma omp simd
+    for (int v = 0; v < lanes; ++v) {
+      volume[v] = third * (is.trace[v] * part - is.pair[0][v] * G[0][0] - is.pair[1][v] * G[1][1] -
+                           is.pair[2][v] * G[2][2] - is.pair[3][v] * G[0][1] -
+                           is.pair[4][v] * G[1][2] - is.pair[5][v] * G[0][2]);
+      by_volume[v] = is.pair[0][v] * back[0][0] + is.pair[1][v] * back[1][1] +
+                     is.pair[2][v] * back[2][2] + is.pair[3][v] * back[0][1] +
+                     is.pair[4][v] * back[1][2] + is.pair[5][v] * back[0][2];
     }
-    double moved[3][3][lanes], stretched[3][3][lanes]; // M; c sym M + M tau
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
+  }
+
+  /// right: G mean^-1
+  KOKKOS_INLINE_FUNCTION void set_moved(const Mat3& right) {
+    for (int j = 0; j < 3; ++j) {
+      double of_first[lanes], of_second[lanes];
+      at(is.column, right, j, of_first);
+      at(is.row, right, j, of_second);
+      for (int i = 0; i < 3; ++i)
 #pragma omp simd
         for (int v = 0; v < lanes; ++v)
-          moved[i][j][v] = first[i][v] * of_first[j][v] + second[i][v] * of_second[j][v] +
-                           (i == j ? volume[v] : 0.0);
+          moved[i][j][v] =
+              first[i][v] * of_first[v] + second[i][v] * of_second[v] + (i == j ? volume[v] : 0.0);
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION void set_stretched(const Mat3& tau, const double (&c)[6][6]) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
 #pragma omp simd
@@ -135,23 +185,26 @@ struct StretchTangent {
           stretched[j][i][v] += law;
       }
     }
+  }
+
+  /// pressure: tr tau / 3
+  KOKKOS_INLINE_FUNCTION void set_strain(const EnhancedStretch<double>& stretch, double pressure) {
+    const double part = 1.0 / stretch.volume;
+    double row[3][lanes], column[3][lanes]; // of G
+    for (int i = 0; i < 3; ++i) {
+      at(is.row, stretch.inverse, i, row[i]);
+      at(is.column, stretch.inverse, i, column[i]);
+    }
     for (int v = 0; v < voigt_size; ++v) {
       const int k = voigt_row[v], l = voigt_column[v];
-      const double by_product = 3.0 * stress.pressure * volume[v] + by_volume[v],
-                   by_turned = stress.pressure * (k == l ? 1.0 : 2.0);
-      // G dE G, of which all lanes take their component
-      double g[3][3];
-      for (int m = 0; m < 3; ++m)
-        for (int n = 0; n < 3; ++n)
-          g[m][n] = 0.5 * by_turned * (G[m][k] * G[l][n] + G[m][l] * G[k][n]);
-      if (k == l)
-        for (int m = 0; m < 3; ++m)
-          g[m][m] -= stress.pressure * part * part;
-      const double turned[lanes] = {g[0][0],       g[1][1],       g[2][2],
-                                    2.0 * g[0][1], 2.0 * g[1][2], 2.0 * g[0][2]};
+      const double by_product = 3.0 * pressure * volume[v] + by_volume[v];
+      const double by_turned = k == l ? 0.5 * pressure : pressure;
+      const double by_trace = k == l ? pressure * part * part : 0.0;
 #pragma omp simd
       for (int w = 0; w < lanes; ++w) {
-        double sum = turned[w] + volume[w] * by_product + volume[v] * by_volume[w];
+        double sum =
+            by_turned * is.times[w] * (row[k][w] * column[l][w] + row[l][w] * column[k][w]) -
+            by_trace * is.trace[w] + volume[w] * by_product + volume[v] * by_volume[w];
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
             sum += moved[i][j][v] * stretched[i][j][w];
@@ -160,8 +213,13 @@ struct StretchTangent {
     }
   }
 
-private:
-  double first[3][lanes] = {}, second[3][lanes] = {}; ///< columns of the mean
+  /// Column j of m at the rows that `which` says of each lane.
+  KOKKOS_INLINE_FUNCTION static void at(const double (&which)[3][lanes], const Mat3& m, int j,
+                                        double (&out)[lanes]) {
+#pragma omp simd
+    for (int v = 0; v < lanes; ++v)
+      out[v] = which[0][v] * m[0][j] + which[1][v] * m[1][j] + which[2][v] * m[2][j];
+  }
 };
 
 } // namespace abut::solid
