@@ -33,8 +33,8 @@ template <class T> struct EnhancedState {
   T amplitude[hourglass_numbers];                ///< c
   T shape[hourglasses][8];                       ///< s
 
-  /// Returns the smallest det F, of the mean and at the corners; nothing is of use when it is not
-  /// positive. At small strain det F does not matter and 1 is returned.
+  /// Returns det F; nothing is of use when it is not positive. At small strain det F does not
+  /// matter and 1 is returned.
   KOKKOS_INLINE_FUNCTION double set(bool finite_strain, const EnhancedReference& reference,
                                     const T (&u)[3][8]) {
     deformation = Deformation<T>(nodal_gradient(u, reference.gradient));
@@ -66,32 +66,7 @@ template <class T> struct EnhancedState {
                          reference.gradient[2][a] * c[2];
       }
     }
-    if (!finite_strain)
-      return 1.0;
-    const double at_mean = value_of(deformation.jacobian()), at_corner = least_corner(reference);
-    return at_mean <= at_corner ? at_mean : at_corner;
-  }
-
-  /// The smallest det F at the corners of the parallelepiped that the element is in the mean. Of a
-  /// crooked element's own corners some may be flat in the mesh, and fold for nothing.
-  KOKKOS_INLINE_FUNCTION double least_corner(const EnhancedReference& reference) const {
-    double c[hourglass_numbers];
-    for (int m = 0; m < hourglass_numbers; ++m)
-      c[m] = value_of(amplitude[m]);
-    double least = HUGE_VAL;
-    for (int corner = 0; corner < 8; ++corner) {
-      double xi[3];
-      fem::CellShape<fem::CellType::hex8>::node(corner, xi);
-      Mat3 edges = reference.to_center; // and the gradients of h there, times c
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-          const int l = (k + 1) % 3, m = (k + 2) % 3;
-          edges[i][k] += xi[m] * c[3 * l + i] + xi[l] * c[3 * m + i] + xi[l] * xi[m] * c[9 + i];
-        }
-      const double volume = det(edges);
-      least = volume >= least ? least : volume; // what is not a number is the smallest
-    }
-    return least * value_of(deformation.jacobian()) / det(reference.to_center);
+    return finite_strain ? value_of(deformation.jacobian()) : 1.0;
   }
 
   /// E at a point.
@@ -164,7 +139,8 @@ KOKKOS_INLINE_FUNCTION double mean_share(const EnhancedReference& reference) {
   return (1.0 - corner_share) * reference.volume;
 }
 
-/// As element_residual.
+/// As element_residual; returns det F of the mean or, where a corner is folded, what is left of its
+/// stretch.
 template <class M, class T>
 KOKKOS_INLINE_FUNCTION double enhanced_residual(const EnhancedReference& reference,
                                                 const M& material, const T (&u)[3][8],

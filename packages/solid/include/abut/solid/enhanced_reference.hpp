@@ -26,7 +26,6 @@ struct EnhancedReference {
   double volume;
   double gradient[3][nodes];            ///< means of dN_a/dX_i over the volume
   double hourglass[hourglasses][nodes]; ///< sum over nodes of these times u is q, the amplitudes
-  Mat3 to_center;                       ///< dX/dxi at the center
   double share[points];                 ///< volume at the points beside the mean
   double strain[points][voigt_size][hourglass_numbers]; ///< components of E (not doubled) by c
 };
@@ -112,9 +111,9 @@ KOKKOS_INLINE_FUNCTION void hourglass_patterns(double (&xi)[3][8], double (&h)[h
 /// Stiffness against hourglass modes: strains of the trilinear displacement less their mean, and
 /// beside them incompatible modes (Taylor, Beresford and Wilson, Int. J. Numer. Methods Eng. 10
 /// (1976) 1211), which relieve bending, and changes of volume, so that none is left but the mean.
-/// mean: of the gradients of h.
+/// to_center: derivatives dX/dxi at the center; mean: of the gradients of h.
 KOKKOS_INLINE_FUNCTION void set_hourglass_strains(const HexTable& cell, const double (&x)[3][8],
-                                                  const LameConstants& law,
+                                                  const LameConstants& law, const Mat3& to_center,
                                                   const double (&mean)[hourglasses][3],
                                                   EnhancedReference& reference) {
   constexpr int points = HexTable::points;
@@ -142,8 +141,8 @@ KOKKOS_INLINE_FUNCTION void set_hourglass_strains(const HexTable& cell, const do
       const double slope = -2.0 * nodal_sum(xi[k], cell.N[p]) / reference_det;
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, l = (i + 2) % 3;
-        g[hourglasses + k][i] = slope * (reference.to_center[j][m] * reference.to_center[l][n] -
-                                         reference.to_center[l][m] * reference.to_center[j][n]);
+        g[hourglasses + k][i] =
+            slope * (to_center[j][m] * to_center[l][n] - to_center[l][m] * to_center[j][n]);
       }
     }
     modes.add(cell.weight[p] * reference_det, law, g, dilatation);
@@ -183,10 +182,11 @@ KOKKOS_INLINE_FUNCTION EnhancedReference enhanced_reference(const HexTable& cell
       value /= r.volume;
 
   const Mat3 eightfold = nodal_gradient(x, xi);
+  Mat3 to_center;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
-      r.to_center[i][k] = eightfold[i][k] / 8.0;
-  const Mat3 from_center = inverse(r.to_center, det(r.to_center));
+      to_center[i][k] = eightfold[i][k] / 8.0;
+  const Mat3 from_center = inverse(to_center, det(to_center));
   for (int s = 0; s < hourglasses; ++s) {
     double share[3]; // of xi_k in what is linear in X
     for (int k = 0; k < 3; ++k)
@@ -200,7 +200,7 @@ KOKKOS_INLINE_FUNCTION EnhancedReference enhanced_reference(const HexTable& cell
       mean[s][i] = nodal_sum(h[s], r.gradient[i]);
   }
 
-  set_hourglass_strains(cell, x, law, mean, r);
+  set_hourglass_strains(cell, x, law, to_center, mean, r);
   return r;
 }
 
