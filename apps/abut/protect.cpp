@@ -4,6 +4,7 @@
 #include "abut/core/error.hpp"
 #include "abut/io/checkpoint_file.hpp"
 #include "abut/io/file_kind.hpp"
+#include "abut/io/history_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -68,6 +69,16 @@ void protect_from_mesh(const std::string& path) {
   protect(
       path, [](io::FileKind kind) { return kind == io::FileKind::mesh; }, "the mesh",
       "give another name or remove it first");
+}
+
+void protect_from_history(const std::string& stem) {
+  const auto check = [](const std::string& path, const char* begins) {
+    protect(
+        path, [&](io::FileKind) { return start_of(path).rfind(begins, 0) == 0; }, "the history",
+        "give another --output-dir, 'output: {name: ...}' or 'output: {history: false}'");
+  };
+  check(io::history_path(stem), "t,steps,");
+  check(io::history_columns_path(stem), "[\n {\n  \"name\": \"t\"");
 }
 
 void protect_from_checkpoint(const std::string& path) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "convergence.hpp"
+#include "history.hpp"
 #include "points_file.hpp"
 #include "progress.hpp"
 #include "warnings.hpp"
@@ -28,12 +30,14 @@ public:
   /// What it knows of the course of the run; when it has been taken, its state is x.
   void exchange_state(StateArchive& archive, const Vector& x);
 
+  void iteration(const solver::IterationReport& report);
   void step(const solver::StepReport& report, const Vector& x);
   /// Writes the last converged state, where it has not been.
   void finish(const solver::Counters& spent);
 
   const scene::State& state() const { return state_; }
-  const solver::Counters& counters() const { return counters_; } ///< of the converged steps
+  const solver::Counters& counters() const { return counters_; }  ///< of the converged steps
+  const Convergence& convergence() const { return convergence_; } ///< of this part of the run
   const ContactWatch& watch() const { return watch_; }
   const scene::PenaltyError& penalty_error() const { return penalty_.error(); }
   const std::string& path() const { return writer_.path(); }
@@ -45,8 +49,10 @@ private:
   Progress& progress_;
   scene::State state_;
   io::ResultWriter writer_;
+  History history_;
   std::optional<PointsFile> points_;
   solver::Counters counters_;
+  Convergence convergence_;
   ContactWatch watch_;
   scene::PenaltyWatch penalty_;
   long long augmentations_ = 0; ///< of the last one

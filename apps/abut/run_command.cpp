@@ -62,6 +62,8 @@ void protect_files(const Model& m, const std::string& stem, int part) {
       throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
                        m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
     protect_from_results(stem + ".exo" + io::part_suffix(part));
+    if (m.deck.output.history)
+      protect_from_history(stem);
     if (m.deck.output.checkpoint.active)
       protect_from_checkpoint(checkpoint_path(stem));
   });
@@ -155,9 +157,8 @@ solver::NewtonOptions newton_options(const Model& m, const contact::Augmentation
 /// Raises the load; x and the equations are then those of the last converged step.
 Outcome solve(Model& m, solver::AssembledSystem& system, solver::AugmentedLagrangian& loop,
               Vector& x, const solver::Standing& from, Progress& progress, Recorder& recorder,
-              Checkpoints& checkpoints) {
+              Checkpoints& checkpoints, const Signals& signals) {
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
-  const Signals signals;
   Vector last(x, Teuchos::Copy);
   Outcome outcome;
   try {
@@ -169,7 +170,7 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::AugmentedLagran
         },
         [&](const auto& report) {
           signals.require_none(m.comm);
-          progress.iteration(report);
+          recorder.iteration(report);
         },
         from,
         [&](const solver::Standing& standing) {
@@ -279,6 +280,8 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
   facts.penalty = recorder.penalty_error();
   facts.wall_seconds = watch.seconds();
   facts.linear = used_methods(linear);
+  facts.results = recorder.path();
+  facts.convergence = &recorder.convergence();
   say_what_linear_solves_cost(facts.linear, progress);
   const auto verdicts = judge(m, recorder.state(), result.converged, progress);
   say_how_it_ended(m, outcome, facts.wall_seconds, recorder.path(), progress);
@@ -326,7 +329,8 @@ int run(const RunOptions& options) {
     progress.go_on(standing.counters.steps, standing.t);
   }
   Checkpoints checkpoints(m, checkpoint_path(stem), part, exchange, progress);
-  Outcome outcome = solve(m, system, loop, x, standing, progress, recorder, checkpoints);
+  const Signals signals; // to the end: none of them cuts what is being written
+  Outcome outcome = solve(m, system, loop, x, standing, progress, recorder, checkpoints, signals);
   write_last(recorder, outcome);
   if (!outcome.result.converged)
     checkpoints.finish();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "summary.hpp"
 
+#include "choices.hpp"
+
 #include "abut/core/error.hpp"
 #include "abut/core/machine_error.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -56,7 +59,10 @@ Json contact_json(const Model& m, const scene::State& s, const scene::PenaltyErr
         {"initial_overlap", c.initial_overlap},
         {"shifted_points", c.shifted_points},
         {"max_shift", c.max_shift},
-        {"penalty_factor", c.penalty_factor}};
+        {"penalty_factor", c.penalty_factor},
+        {"primary", m.contacts[i]->settings().primary},
+        {"secondary", m.contacts[i]->settings().secondary},
+        {"choices", choices_of(m, m.contacts[i]->settings())}};
   }
   return all;
 }
@@ -87,6 +93,18 @@ Json rigid_json(const Model& m, const scene::State& s) {
   return all;
 }
 
+Json convergence_json(const Convergence& convergence) {
+  Json steps = Json::array();
+  for (const StepCost& step : convergence.steps())
+    steps.push_back({{"step", step.step},
+                     {"t", step.t},
+                     {"newton_iterations", step.iterations},
+                     {"augmentations", step.augmentations},
+                     {"cut_backs", step.cuts},
+                     {"residuals", step.solves}});
+  return {{"steps", steps}, {"failed_residuals", convergence.failed()}};
+}
+
 /// Seconds are the largest over the ranks.
 Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
   Json all = Json::object();
@@ -115,6 +133,8 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
     return;
   Json json = {{"status", facts.converged ? "converged" : "stopped"},
                {"deck", m.deck.file},
+               {"title", m.deck.title},
+               {"results", std::filesystem::path(facts.results).filename().string()},
                {"ranks", m.comm.size()},
                {"unknowns", m.equations->dofs().num_global_rows() * m.equations->dofs().fields()},
                {"steps", s.counters.steps},
@@ -155,6 +175,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                               {"expected", v.expected},
                               {"tolerance", v.tolerance},
                               {"ok", v.ok}});
+  json["convergence"] = convergence_json(*facts.convergence);
   m.comm.on_root([&] {
     std::ofstream out(file);
     // Names from a mesh may be in any encoding.

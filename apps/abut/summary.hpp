@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "convergence.hpp"
 #include "verify.hpp"
 
 #include "abut/scene/penalty_error.hpp"
@@ -18,6 +19,8 @@ struct RunFacts {
   scene::PenaltyError penalty;
   double wall_seconds = 0.0;
   std::vector<solver::LinearUse> linear; ///< those of the methods that were used
+  std::string results; ///< path of the Exodus file, of this rank where each has one
+  const Convergence* convergence = nullptr; ///< must outlive this
 };
 
 /// Writes the summary object of the outside contract; nothing when `file` is empty. Times are the

@@ -75,4 +75,16 @@ ElementFields SolidContribution::element_fields(const NodalFields& fields) const
   return out;
 }
 
+RecoveredFields SolidContribution::recovered_fields(const NodalFields& fields) const {
+  const auto n = static_cast<std::size_t>(connectivity_.cells());
+  const View<double> volume("abut::solid::volume", n),
+      strain("abut::solid::strain", voigt_size * n),
+      stress("abut::solid::nodal_stress", voigt_size * connectivity_.nodes.size());
+  loops_->recover(fields, volume, strain, stress);
+  const auto list = [](const View<double>& view) {
+    return std::vector<double>(view.data(), view.data() + view.extent(0));
+  };
+  return {list(volume), list(strain), list(stress)};
+}
+
 } // namespace abut::solid

@@ -33,15 +33,14 @@ template <class T> struct EnhancedState {
   T amplitude[hourglass_numbers];                ///< c
   T shape[hourglasses][8];                       ///< s
 
-  /// Returns det F; nothing is of use when it is not positive. At small strain det F does not
-  /// matter and 1 is returned.
-  KOKKOS_INLINE_FUNCTION double set(bool finite_strain, const EnhancedReference& reference,
-                                    const T (&u)[3][8]) {
+  /// Returns false when det F <= 0 at finite strain.
+  KOKKOS_INLINE_FUNCTION bool set(bool finite_strain, const EnhancedReference& reference,
+                                  const T (&u)[3][8]) {
     deformation = Deformation<T>(nodal_gradient(u, reference.gradient));
     mean = back = Mat<T, 3>::identity();
     if (finite_strain) {
       if (!(deformation.jacobian() > 0.0))
-        return value_of(deformation.jacobian());
+        return false;
       back = inverse_gradient(deformation);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -66,7 +65,7 @@ template <class T> struct EnhancedState {
                          reference.gradient[2][a] * c[2];
       }
     }
-    return finite_strain ? value_of(deformation.jacobian()) : 1.0;
+    return true;
   }
 
   /// E at a point.
@@ -149,8 +148,9 @@ KOKKOS_INLINE_FUNCTION double enhanced_residual(const EnhancedReference& referen
     for (int a = 0; a < 8; ++a)
       r[i][a] = T(0.0);
   EnhancedState<T> state;
-  const double smallest = state.set(M::finite_strain, reference, u);
-  if (!(smallest > 0.0))
+  const bool upright = state.set(M::finite_strain, reference, u);
+  const double smallest = M::finite_strain ? value_of(state.deformation.jacobian()) : 1.0;
+  if (!upright)
     return smallest;
   EnhancedStress<T> stress;
   stress.clear();
@@ -181,7 +181,7 @@ KOKKOS_INLINE_FUNCTION void enhanced_averages(const EnhancedReference& reference
   for (int v = 0; v < voigt_size; ++v)
     stress[v] = 0.0;
   EnhancedState<double> state;
-  if (!(state.set(M::finite_strain, reference, u) > 0.0))
+  if (!state.set(M::finite_strain, reference, u))
     return;
   EnhancedStress<double> sum;
   sum.clear();

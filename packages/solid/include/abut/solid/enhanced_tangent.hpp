@@ -129,8 +129,9 @@ KOKKOS_INLINE_FUNCTION double enhanced_tangent(const EnhancedReference& referenc
                                                const M& material, const double (&u)[3][8],
                                                double* k) {
   EnhancedState<double> state;
-  const double smallest = state.set(M::finite_strain, reference, u);
-  if (!(smallest > 0.0))
+  const bool upright = state.set(M::finite_strain, reference, u);
+  const double smallest = M::finite_strain ? value_of(state.deformation.jacobian()) : 1.0;
+  if (!upright)
     return smallest;
   EnhancedStress<double> stress;
   EnhancedModuli moduli = {};

@@ -34,6 +34,7 @@ public:
 
   /// Stresses and energies at fields, whose ghosts are up to date.
   ElementFields element_fields(const NodalFields& fields) const;
+  RecoveredFields recovered_fields(const NodalFields& fields) const;
 
   int block() const { return block_; }
   const Material& material() const { return material_; }
