@@ -4,7 +4,7 @@
 #include "abut/core/scatter.hpp"
 #include "abut/solid/cell_arrays.hpp"
 #include "abut/solid/element_kernel.hpp"
-#include "abut/solid/enhanced.hpp"
+#include "abut/solid/enhanced_tangent.hpp"
 #include "abut/solid/linear_fit.hpp"
 #include "abut/solid/mean_dilatation.hpp"
 

@@ -68,7 +68,7 @@ KOKKOS_INLINE_FUNCTION void mean_dilatation_points(const ReferenceCell<C>& cell,
   }
 }
 
-/// The one point of an enhanced element: the material is evaluated at the mean deformation.
+/// Of the points of an enhanced element the mean deformation, which stands for the whole volume.
 template <class M>
 KOKKOS_INLINE_FUNCTION void enhanced_points(const EnhancedReference& reference, const M& material,
                                             const double (&u)[3][8], PointValues<1>& values) {
