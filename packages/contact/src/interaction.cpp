@@ -217,7 +217,9 @@ const Connectivity& Interaction::candidates() const {
 
 bool Interaction::symmetric() const {
   const Settings& o = settings();
-  return o.tangent == Tangent::symmetric || (!o.ray() && !o.anchors() && o.friction == 0.0);
+  if (o.tangent == Tangent::symmetric)
+    return true;
+  return !o.ray() && !o.anchors() && !o.nonsymmetric_nodes() && o.friction == 0.0;
 }
 
 /// A gap is a difference of positions: it is known to a few units in their last place.
