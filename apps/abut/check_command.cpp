@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.hpp"
 
+#include "choices.hpp"
 #include "model.hpp"
 #include "warnings.hpp"
 
@@ -17,7 +18,6 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <map>
-#include <sstream>
 
 namespace abut::app {
 
@@ -219,23 +219,13 @@ void explain_time(const Model& m, const Printer& print) {
         m.deck.dynamics.active ? "; bodies have inertia" : "");
 }
 
-/// The choices of an interface; a second pass makes those of the first.
-void explain_choices(const Model& m, const contact::Settings& settings, const Printer& print) {
-  for (const contact::ContactOptions& options : m.deck.contact) {
-    if (options.name != settings.name)
-      continue;
-    std::istringstream lines(contact::explain(options, settings));
-    for (std::string line; std::getline(lines, line);)
-      print("  {}", line);
-  }
-}
-
 void explain_contact(const Model& m, const Printer& print) {
   for (const auto& c : m.contacts) {
     const contact::ContactSummary s = c->summary();
     print("contact {}: '{}' on '{}', {} points{}", c->name(), c->settings().primary,
           c->settings().secondary, s.points, explain_window(c->settings().window));
-    explain_choices(m, c->settings(), print);
+    for (const std::string& choice : choices_of(m, c->settings()))
+      print("  {}", choice);
     if (!c->acts())
       continue;
     if (s.paired_points > 0)

@@ -3,6 +3,7 @@
 
 #include "protect.hpp"
 
+#include "abut/abaqus/import.hpp"
 #include "abut/core/error.hpp"
 #include "abut/deck/deck.hpp"
 #include "abut/febio/import.hpp"
@@ -66,6 +67,21 @@ template <class Scene> Import checked(Scene scene, const std::string& file) {
   return {std::move(scene.mesh), std::move(scene.deck), std::move(scene.report)};
 }
 
+/// Abaqus and CalculiX decks by their name, or by the star that begins their first keyword.
+bool is_inp(const std::string& text, const std::string& file) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return std::filesystem::path(file).extension() == ".inp" ||
+         (first != std::string::npos && text[first] == '*');
+}
+
+/// Of an included file; devices and the like are none.
+std::string read_included(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError("cannot read the file '" + path + "'");
+  return read_text(path);
+}
+
 /// By what the file holds.
 Import translate(const std::string& file, const std::string& name) {
   const std::string text = read_text(file);
@@ -75,6 +91,11 @@ Import translate(const std::string& file, const std::string& name) {
     Import made = checked(gmsh::translate(model, name, std::move(report)), file);
     made.is_start = true;
     return made;
+  }
+  if (is_inp(text, file)) {
+    const abaqus::Model model = abaqus::read_model(text, file, read_included, report);
+    require_all_supported(report, file);
+    return checked(abaqus::translate(model, name, std::move(report)), file);
   }
   if (std::filesystem::path(file).extension() == ".msh")
     throw InputError(file + ":1: expected a Gmsh file, which begins with $MeshFormat");
@@ -115,11 +136,14 @@ void import_file(const Arguments& arguments) {
 
 void add_import_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "import", "Turn a FEBio model or a Gmsh mesh into an Exodus mesh and a deck");
+      "import",
+      "Turn an Abaqus, CalculiX or FEBio model, or a Gmsh mesh, into an Exodus mesh and a deck");
   const auto arguments = std::make_shared<Arguments>();
   command
-      ->add_option("FILE", arguments->file,
-                   "FEBio model, specification 4.0, or Gmsh mesh, MSH 2.2 or 4.1")
+      ->add_option(
+          "FILE", arguments->file,
+          "Abaqus or CalculiX model, .inp; FEBio model, specification 4.0; Gmsh mesh, MSH 2.2 or "
+          "4.1")
       ->required();
   command->add_option("--output-dir", arguments->output_dir,
                       "folder for NAME.exo, NAME.yaml and NAME.import.txt");

@@ -6,6 +6,7 @@
 #include "memory_words.hpp"
 #include "mesh_command.hpp"
 #include "process_start.hpp"
+#include "report_command.hpp"
 #include "run_command.hpp"
 #include "schema_command.hpp"
 
@@ -50,6 +51,7 @@ int run(int argc, char** argv, const abut::Comm& comm) {
   add_check_command(app);
   add_import_command(app);
   add_mesh_command(app);
+  add_report_command(app, status);
   add_schema_command(app);
   add_help_command(app);
   ExitStatus failure = ExitStatus::defect;

@@ -4,6 +4,7 @@
 #include "abut/core/error.hpp"
 #include "abut/io/checkpoint_file.hpp"
 #include "abut/io/file_kind.hpp"
+#include "abut/io/history_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -58,7 +59,10 @@ void protect_from_results(const std::string& path) {
 
 void protect_from_import(const std::string& path) {
   const io::FileKind kind = io::kind_of_file(path);
-  if (kind != io::FileKind::none && start_of(path).rfind("# From FEBio's ", 0) != 0)
+  const std::string start = start_of(path);
+  const bool is_imported =
+      start.rfind("# From FEBio's ", 0) == 0 || start.rfind("# From Abaqus or CalculiX: ", 0) == 0;
+  if (kind != io::FileKind::none && !is_imported)
     throw InputError(
         "the imported deck would overwrite '" + path +
         "', which has not been imported; give another --output-dir or remove it first");
@@ -68,6 +72,16 @@ void protect_from_mesh(const std::string& path) {
   protect(
       path, [](io::FileKind kind) { return kind == io::FileKind::mesh; }, "the mesh",
       "give another name or remove it first");
+}
+
+void protect_from_history(const std::string& stem) {
+  const auto check = [](const std::string& path, const char* begins) {
+    protect(
+        path, [&](io::FileKind) { return start_of(path).rfind(begins, 0) == 0; }, "the history",
+        "give another --output-dir, 'output: {name: ...}' or 'output: {history: false}'");
+  };
+  check(io::history_path(stem), "t,steps,");
+  check(io::history_columns_path(stem), "[\n {\n  \"name\": \"t\"");
 }
 
 void protect_from_checkpoint(const std::string& path) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_command.hpp"
 
+#include "audit_watch.hpp"
 #include "augmentation.hpp"
 #include "checkpoints.hpp"
 #include "exit_status.hpp"
@@ -63,6 +64,8 @@ void protect_files(const Model& m, const std::string& stem, int part) {
       throw InputError(m.deck.where("mesh.file") + ": the results would overwrite the mesh '" +
                        m.deck.mesh.file + "'; give another --output-dir or 'output: {name: ...}'");
     protect_from_results(stem + ".exo" + io::part_suffix(part));
+    if (m.deck.output.history)
+      protect_from_history(stem);
     if (m.deck.output.checkpoint.active)
       protect_from_checkpoint(checkpoint_path(stem));
   });
@@ -156,9 +159,8 @@ solver::NewtonOptions newton_options(const Model& m, const contact::Augmentation
 /// Raises the load; x and the equations are then those of the last converged step.
 Outcome solve(Model& m, solver::AssembledSystem& system, solver::AugmentedLagrangian& loop,
               Vector& x, const solver::Standing& from, Progress& progress, Recorder& recorder,
-              Checkpoints& checkpoints) {
+              Checkpoints& checkpoints, const Signals& signals) {
   solver::LoadStepping stepping(loop, m.deck.time, progress.sink());
-  const Signals signals;
   Vector last(x, Teuchos::Copy);
   Outcome outcome;
   try {
@@ -170,7 +172,7 @@ Outcome solve(Model& m, solver::AssembledSystem& system, solver::AugmentedLagran
         },
         [&](const auto& report) {
           signals.require_none(m.comm);
-          progress.iteration(report);
+          recorder.iteration(report);
         },
         from,
         [&](const solver::Standing& standing) {
@@ -263,12 +265,12 @@ ExchangeState owners_of_state(Model& m, solver::NewtonSolver& newton, Vector& x,
 
 /// What the user hears and reads of a run that has ended; returns its exit status.
 int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const Recorder& recorder,
-             const solver::LinearSolver& linear, const solver::Stopwatch& watch,
-             Progress& progress) {
+             const AuditWatch& audit, const solver::LinearSolver& linear,
+             const solver::Stopwatch& watch, Progress& progress) {
   solver::LoadResult& result = outcome.result;
   if (!result.converged && !outcome.machine)
     result.reason += why_stopped(m, recorder, result);
-  for (const auto& list : {recorder.watch().warnings(m, result.converged),
+  for (const auto& list : {audit.warnings(), recorder.watch().warnings(m, result.converged),
                            warnings_of_penalty(m, recorder.penalty_error())})
     for (const std::string& warning : list)
       progress.warning(warning);
@@ -278,9 +280,13 @@ int conclude(const Model& m, const RunOptions& options, Outcome& outcome, const 
   facts.reason = result.reason;
   facts.warnings = progress.warnings();
   facts.penalty = recorder.penalty_error();
+  facts.audit = audit.worst();
+  facts.audit_seconds = audit.seconds();
   facts.wall_seconds = watch.seconds();
   facts.waiting_seconds = WaitingWatch::seconds();
   facts.linear = used_methods(linear);
+  facts.results = recorder.path();
+  facts.convergence = &recorder.convergence();
   say_what_linear_solves_cost(facts.linear, progress);
   const auto verdicts = judge(m, recorder.state(), result.converged, progress);
   say_how_it_ended(m, outcome, facts.wall_seconds, recorder.path(), progress);
@@ -321,7 +327,9 @@ int run(const RunOptions& options) {
   const contact::AugmentationPolicy policy(m.contacts, [&m] { return scene::energy_of_bodies(m); });
   solver::NewtonSolver newton(*linear, newton_options(m, policy), m.deck.linear.tolerance);
   solver::AugmentedLagrangian loop(newton, after_solve(m, policy, progress));
-  Recorder recorder(m, stem, part, progress, x);
+  AuditWatch audit(m, m.equations->nodal_values(x));
+  system.set_check([&audit] { audit.look(); });
+  Recorder recorder(m, stem, part, progress, audit, x);
   const ExchangeState exchange = owners_of_state(m, newton, x, recorder);
   solver::Standing standing;
   if (restart) {
@@ -329,11 +337,12 @@ int run(const RunOptions& options) {
     progress.go_on(standing.counters.steps, standing.t);
   }
   Checkpoints checkpoints(m, checkpoint_path(stem), part, exchange, progress);
-  Outcome outcome = solve(m, system, loop, x, standing, progress, recorder, checkpoints);
+  const Signals signals; // to the end: none of them cuts what is being written
+  Outcome outcome = solve(m, system, loop, x, standing, progress, recorder, checkpoints, signals);
   write_last(recorder, outcome);
   if (!outcome.result.converged)
     checkpoints.finish();
-  const int status = conclude(m, options, outcome, recorder, *linear, watch, progress);
+  const int status = conclude(m, options, outcome, recorder, audit, *linear, watch, progress);
   checkpoints.finish(); // of the end last: who finds it finds all that the run was to write
   return status;
 }

@@ -8,8 +8,9 @@
 
 namespace abut::app {
 
-/// While it lives SIGINT, SIGTERM and SIGHUP are noted instead of ending the process; a second one
-/// ends it. Those ignored before, as by nohup, stay so.
+/// While it lives SIGINT, SIGTERM and SIGHUP are noted instead of ending the process; another one a
+/// second later ends it. What comes sooner is the same one again: a launcher and its group of
+/// processes are often told both. Those ignored before, as by nohup, stay so.
 class Signals {
 public:
   Signals();

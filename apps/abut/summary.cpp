@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "summary.hpp"
 
+#include "choices.hpp"
+
 #include "abut/core/error.hpp"
 #include "abut/core/machine_error.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -56,7 +59,10 @@ Json contact_json(const Model& m, const scene::State& s, const scene::PenaltyErr
         {"initial_overlap", c.initial_overlap},
         {"shifted_points", c.shifted_points},
         {"max_shift", c.max_shift},
-        {"penalty_factor", c.penalty_factor}};
+        {"penalty_factor", c.penalty_factor},
+        {"primary", m.contacts[i]->settings().primary},
+        {"secondary", m.contacts[i]->settings().secondary},
+        {"choices", choices_of(m, m.contacts[i]->settings())}};
   }
   return all;
 }
@@ -87,6 +93,28 @@ Json rigid_json(const Model& m, const scene::State& s) {
   return all;
 }
 
+Json audit_json(const RunFacts& facts, double seconds) {
+  return {{"overlap", facts.audit.overlap},
+          {"overlap_over_face_size", facts.audit.overlap_over_face_size},
+          {"unseen_overlap", facts.audit.unseen_overlap},
+          {"tension", facts.audit.tension},
+          {"cone", facts.audit.cone},
+          {"balance", facts.audit.balance},
+          {"seconds", seconds}};
+}
+
+Json convergence_json(const Convergence& convergence) {
+  Json steps = Json::array();
+  for (const StepCost& step : convergence.steps())
+    steps.push_back({{"step", step.step},
+                     {"t", step.t},
+                     {"newton_iterations", step.iterations},
+                     {"augmentations", step.augmentations},
+                     {"cut_backs", step.cuts},
+                     {"residuals", step.solves}});
+  return {{"steps", steps}, {"failed_residuals", convergence.failed()}};
+}
+
 /// Seconds are the largest over the ranks.
 Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
   Json all = Json::object();
@@ -111,12 +139,15 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
     phases[phase_name(static_cast<Phase>(p))] =
         m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
   const Json linear = linear_json(m.comm, facts.linear);
+  const double audit_seconds = m.comm.max(facts.audit_seconds);
   const Json waiting = {m.comm.min(facts.waiting_seconds), m.comm.max(facts.waiting_seconds)};
   const double memory = m.comm.sum(peak_memory_mb());
   if (file.empty())
     return;
   Json json = {{"status", facts.converged ? "converged" : "stopped"},
                {"deck", m.deck.file},
+               {"title", m.deck.title},
+               {"results", std::filesystem::path(facts.results).filename().string()},
                {"ranks", m.comm.size()},
                {"unknowns", m.equations->dofs().num_global_rows() * m.equations->dofs().fields()},
                {"steps", s.counters.steps},
@@ -139,6 +170,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                  {"friction", s.energy.friction},
                  {"imbalance", s.energy.imbalance()}}},
                {"penalty_error", facts.penalty.whole},
+               {"audit", audit_json(facts, audit_seconds)},
                {"verify", Json::array()}};
   if (m.inertia) {
     json["energy"]["kinetic"] = s.energy.kinetic;
@@ -158,6 +190,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                               {"expected", v.expected},
                               {"tolerance", v.tolerance},
                               {"ok", v.ok}});
+  json["convergence"] = convergence_json(*facts.convergence);
   m.comm.on_root([&] {
     std::ofstream out(file);
     // Names from a mesh may be in any encoding.

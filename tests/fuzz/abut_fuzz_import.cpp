@@ -16,7 +16,7 @@
 #include <vector>
 
 /// abut_fuzz_import FOLDER: reads names of files from standard input, one in a line, and does with
-/// each what `abut import` (FILE.feb and FILE.msh, into the folder) and `abut check` do, all in one
+/// each what `abut import` (FILE.feb, FILE.inp and FILE.msh, into the folder) and `abut check` do, all in one
 /// process. Prints "begin FILE" before and "end FILE OUTCOME: MESSAGE" after it, so that whoever
 /// reads this knows which file crashed or hung.
 namespace {
@@ -62,7 +62,8 @@ Outcome command(std::vector<std::string> words) {
 
 Outcome try_file(const std::string& file, const std::string& folder) {
   const std::filesystem::path path(file);
-  if (path.extension() != ".feb" && path.extension() != ".msh")
+  const std::string kind = path.extension().string();
+  if (kind != ".feb" && kind != ".inp" && kind != ".msh")
     return command({"check", file});
   const Outcome imported = command({"import", file, "--output-dir", folder});
   if (imported.word != "ok")

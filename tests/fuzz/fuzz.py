@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Import and check of files that are wrong in all ways: none may crash, hang or end in a defect.
-usage: fuzz.py --kind feb|msh|deck --count N --harness abut_fuzz_import [--seed S] [--keep FOLDER]
+usage: fuzz.py --kind feb|inp|msh|deck --count N --harness abut_fuzz_import [--seed S] [--keep FOLDER]
 
 Mutants are made from the files of tests/fuzz/corpus, and decks from those of input/ too; the same seed
 makes the same mutants. Each is a file with one to four changes, of its tree (elements, attributes, keys,
@@ -39,6 +39,9 @@ WORDS = ["", " ", "a", "a" * 70000, "name with spaces", "\u00e4\u4e2d\U0001f600"
          "@surface:", "@elem_set:all", "@nothing:x", "*", "&a", "<", "]]>", "'", '"', "\\", "\n", "\t", "#", ":",
          "- ", "|", "!!binary x", "y", "off", "AUGLAG", "sliding-elastic", "hex8", "tet10", "rigid body", "0", "-1",
          "automatic", "unlimited", "none", "end", "end_of_step", "dual", "inclined_ray", "as_given"]
+INP_WORDS = ["S1", "S6", "SPOS", "SNEG", "P4", "GRAV", "ENCASTRE", "GENERATE", "OP=NEW", "NLGEOM", "AMPLITUDE=A",
+             "TYPE=NODE", "TYPE=C3D10", "TYPE=R3D4", "INSTANCE=I", "HARD", "TIED", "EXPONENTIAL", "ADJUST=1", "*STEP",
+             "*INCLUDE, INPUT=/dev/zero", "*INCLUDE, INPUT=.", "*PART, NAME=P", "*INSTANCE, NAME=I, PART=P", "**"]
 BYTES = [b"\xff", b"\xc3", b"\xed\xa0\x80", b"\x00", b"\xf0\x9f", b"\xef\xbb\xbf", b"\x1b", b"\r", b"\xfe\xff"]
 
 
@@ -128,6 +131,28 @@ def anchors(data, rng):
         b"a: &a [x, x]\nb: &b [*a, *a, *a]\nc: &c [*b, *b, *b]\nmaterials: *c", b"? ? ? a", b"!!map a: b",
         b"<!DOCTYPE a [<!ENTITY x 'y'><!ENTITY z '&x;&x;'>]>", b"&z;&#0;&#xFFFFFFFF;", b"<![CDATA[", b"<?php ?>"]))
     return b"\n".join(lines)
+
+
+def other_field(data, rng):
+    """A field between commas becomes another one of the file, or a word that means something."""
+    fields = [m.span() for m in re.finditer(rb"[^,\n=]+", data)]
+    if len(fields) < 2:
+        return data
+    (a, b), (c, d) = rng.choice(fields), rng.choice(fields)
+    new = rng.choice([data[c:d], data[c:d], rng.choice(INP_WORDS + NUMBERS).encode()])
+    return data[:a] + new + data[b:]
+
+
+def moved_card(data, rng):
+    """A keyword with its lines, doubled, moved or taken away."""
+    cards = re.split(rb"(?m)^(?=\*)", data)
+    i, k = rng.randrange(len(cards)), rng.randrange(len(cards))
+    card = cards[i]
+    if rng.random() < 0.7:
+        del cards[i]
+    if rng.random() < 0.7:
+        cards.insert(k, card)
+    return b"".join(cards)
 
 
 TEXT = [cut, without_span, doubled_span, moved_span, swapped_lines, foreign_bytes, flipped_bit, other_number,
@@ -245,11 +270,14 @@ def from_yaml(data, rng):
 
 def mutant(seed_file, rng):
     data = seed_file.read_bytes()
-    if seed_file.suffix != ".msh" and rng.random() < 0.7:
+    has_tree = seed_file.suffix not in (".msh", ".inp")
+    if has_tree and rng.random() < 0.7:
         data = (from_yaml if seed_file.suffix == ".yaml" else from_xml)(data, rng)
         if rng.random() < 0.8:
             return data
-    kinds = TEXT + [swapped_words] * len(TEXT) if seed_file.suffix == ".msh" else TEXT
+    kinds = TEXT if has_tree else TEXT + [swapped_words] * len(TEXT)
+    if seed_file.suffix == ".inp":
+        kinds = TEXT + [other_field] * len(TEXT) + [moved_card] * (len(TEXT) // 2)
     for _ in range(rng.choice([1, 1, 2])):
         data = rng.choice(kinds)(data, rng)
     return data
@@ -336,7 +364,7 @@ def seeds(kind, folder, harness, seconds):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("--kind", choices=("feb", "msh", "deck"), required=True)
+    arguments.add_argument("--kind", choices=("feb", "inp", "msh", "deck"), required=True)
     arguments.add_argument("--count", type=int, default=150)
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--harness", required=True)

@@ -45,6 +45,19 @@ foreach(launcher "" "${mpiexec}")
   endif()
 endforeach()
 
+# The program finds its Python part where it is installed.
+execute_process(COMMAND ${prefix}/bin/abut run ${SOURCE}/input/blocks/blocks.yaml --quiet
+  --output-dir ${WORK}/run --summary ${WORK}/run/blocks.json COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${prefix}/bin/abut report ${WORK}/run/blocks.exo WORKING_DIRECTORY ${WORK}
+  COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${WORK}/run/blocks.html page LIMIT 2000)
+if(NOT page MATCHES "Rubber blocks at half their height")
+  message(FATAL_ERROR "no report of the run: ${page}")
+endif()
+if(IS_SYMLINK ${prefix}/share/abut/python OR IS_SYMLINK ${prefix}/share/abut/python/abut)
+  message(FATAL_ERROR "the Python part was not installed but linked")
+endif()
+
 # A component that is not there is an error that names it.
 execute_process(COMMAND ${configure} -B ${WORK}/wrong -D COMPONENT=adhesion
   OUTPUT_QUIET ERROR_VARIABLE output RESULT_VARIABLE result)

@@ -21,8 +21,6 @@ def shared_nodes(run, side_set):
         elements, pressure, first = set(file.side_set(side_set)[0]), file.nodal("contact_pressure"), 0
         here = set()
         for block in file.names("eb"):
-            if f"connect{file.names('eb').index(block) + 1}" not in file._values:
-                continue
             nodes = file.connectivity(block)
             for e, row in enumerate(nodes, first):
                 if e in elements:

@@ -90,8 +90,6 @@ def _has_pressure(file, side_set):
     elements = set(file.side_set(side_set)[0])
     pressure, first = file.nodal("contact_pressure"), 0
     for block in file.names("eb"):
-        if f"connect{file.names('eb').index(block) + 1}" not in file._values:
-            continue
         nodes = file.connectivity(block)
         for e, row in enumerate(nodes, first):
             if e in elements and (pressure[row] > 0).sum() >= 4:

@@ -145,7 +145,8 @@ class Files(unittest.TestCase):
         self.assertEqual([round(t * 16) for t in result.fields.times], [9, 10, 11, 12])
         self.assertEqual(result.summary["steps"], 8)
         names = sorted(f.name for f in (result.folder / "results").iterdir())
-        self.assertEqual(names, ["other-s002.points.csv", "other.exo-s002"])
+        self.assertEqual(names, ["other-s002.points.csv", "other.exo-s002", "other.history.csv",
+                                 "other.history.json"])
 
     def test_parts_of_results(self):
         """A file of its own for each part, as MOOSE names them; per rank where asked."""
@@ -154,7 +155,8 @@ class Files(unittest.TestCase):
         self.assertIn("goes on from step 4 at t = 0.5", result.output)
         self.assertIn("step 5  t = 0.625", result.output)
         names = sorted(f.name for f in (result.folder / "results").iterdir())
-        self.assertEqual(names, ["scene.checkpoint", "scene.exo-s002.2.0", "scene.exo-s002.2.1"])
+        self.assertEqual(names, ["scene.checkpoint", "scene.exo-s002.2.0", "scene.exo-s002.2.1", "scene.history.csv",
+                                 "scene.history.json"])
 
     def test_written_when_due(self):
         """Every third step and the last one; seen by what the file holds while the run goes on."""
@@ -170,7 +172,8 @@ class Files(unittest.TestCase):
 
     def test_stays_where_the_disk_is_full(self):
         """The checkpoint before survives whole, the run goes on with a warning."""
-        deck = scenes.merged(DECK, {"output": {"every": 1000, "checkpoint": {"every": 1}}})
+        deck = scenes.merged(DECK, {"output": {"every": 1000, "checkpoint": {"every": 1}},
+                                    "contact": {"pair": {"points": 4}}})  # results do not grow with points
         first = scenes.run(scenes.merged(deck, {"time": {"end": 0.125, "steps": 1}}))
         file = chain.checkpoint(first)
         before, limit = file.read_bytes(), len(file.read_bytes()) - 100

@@ -107,6 +107,8 @@ def write(path, mesh):
         _put_ids(data, "eb", "num_el_blk", [b.name for b in mesh.blocks],
                  [b.id for b in mesh.blocks])
         for i, block in enumerate(mesh.blocks, 1):
+            if not len(block.nodes):  # of another rank
+                continue
             data.createDimension(f"num_el_in_blk{i}", block.nodes.shape[0])
             data.createDimension(f"num_nod_per_el{i}", block.nodes.shape[1])
             _put(data, f"connect{i}", (f"num_el_in_blk{i}", f"num_nod_per_el{i}"), block.nodes + 1)

@@ -15,14 +15,17 @@ import os
 import pathlib
 import re
 import shutil
+import sys
 import tempfile
 import time
 import weakref
 
-import netCDF4
 import numpy
 
 import process
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "apps" / "python"))
+from abut.exodus import ExodusFile as Fields
 
 EXECUTABLE = os.environ.get("ABUT_EXECUTABLE") or shutil.which("abut") or "abut"
 MPIEXEC = os.environ.get("ABUT_MPIEXEC", "mpiexec")
@@ -37,72 +40,6 @@ _ENVIRONMENT = {
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OMPI_MCA_btl_base_warn_component_unused": "0",
 }
-
-
-class Fields:
-    """One Exodus result file. step counts from 0; -1 is the last one."""
-
-    def __init__(self, path):
-        with netCDF4.Dataset(path) as data:
-            data.set_auto_mask(False)
-            self._values = {key: data[key][:] for key in data.variables}
-
-    @property
-    def times(self):
-        return self._values["time_whole"]
-
-    @property
-    def coordinates(self):
-        """nodes x 3, reference configuration."""
-        return numpy.stack([self._values["coord" + axis] for axis in "xyz"], axis=1)
-
-    @property
-    def node_map(self):
-        """Global node number of each node, as in the mesh file."""
-        return self._values["node_num_map"]
-
-    @property
-    def element_map(self):
-        return self._values["elem_num_map"]
-
-    def names(self, kind):
-        """kind: nod_var, elem_var, glo_var (variables), eb, ns, ss (blocks and sets)."""
-        key = f"name_{kind}" if kind.endswith("var") else f"{kind}_names"
-        return [_text(row) for row in self._values[key]] if key in self._values else []
-
-    def nodal(self, name, step=-1):
-        return self._values[f"vals_nod_var{self.names('nod_var').index(name) + 1}"][step]
-
-    def vector(self, name, step=-1):
-        """nodes x 3 from name_x, name_y, name_z."""
-        return numpy.stack([self.nodal(f"{name}_{axis}", step) for axis in "xyz"], axis=1)
-
-    def element(self, name, block, step=-1):
-        """Element variable of a block given by name."""
-        variable = self.names("elem_var").index(name) + 1
-        return self._values[f"vals_elem_var{variable}eb{self._number('eb', block)}"][step]
-
-    def globals(self, step=-1):
-        """All global variables by name."""
-        return dict(zip(self.names("glo_var"), self._values["vals_glo_var"][step]))
-
-    def connectivity(self, block):
-        """elements x nodes, indices from 0 into coordinates."""
-        return self._values[f"connect{self._number('eb', block)}"] - 1
-
-    def node_set(self, name):
-        """Indices from 0 into coordinates."""
-        return self._values.get(f"node_ns{self._number('ns', name)}", numpy.array([1], int)[:0]) - 1
-
-    def side_set(self, name):
-        """Elements (from 0) and their side numbers (from 1)."""
-        number = self._number("ss", name)
-        none = numpy.zeros(0, int)
-        return (self._values.get(f"elem_ss{number}", none + 1) - 1,
-                self._values.get(f"side_ss{number}", none))
-
-    def _number(self, kind, name):
-        return self.names(kind).index(name) + 1
 
 
 class Result:
@@ -257,6 +194,3 @@ def _place_deck(deck, folder):
         path.write_text(deck)
     return path
 
-
-def _text(row):
-    return bytes(row).split(b"\0")[0].decode().strip()

@@ -63,6 +63,56 @@ def cubes(control=CONTROL, boundary=SIDEWAYS + FLOOR + PRESS, more=TOUCH, upper=
 '''
 
 
+# Words of before 3.0.
+OLD_PRIMARY, OLD_SECONDARY = "sla" "ve", "ma" "ster"
+
+
+def cubes_of_2_0():
+    """The cubes with their two passes in the words of specification 2.0: nodes and faces where they are used."""
+    nodes = [(x, y, z) for z in (0, 1, 1, 2) for x, y in CORNERS]
+    ids = [str(10 * (i + 1)) for i in range(16)]
+
+    def listed(numbers, value=""):
+        return "".join(f'<node id="{i}">{value}</node>' for i in numbers)
+
+    text = "".join(f'<node id="{i}">{x},{y},{z}</node>' for i, (x, y, z) in zip(ids, nodes))
+    return f'''<?xml version="1.0" encoding="UTF-8"?>
+<febio_spec version="2.0">
+  <Control><time_steps>2</time_steps><step_size>0.5</step_size><dtol>0</dtol><lstol>0.9</lstol>
+    <analysis type="static"/></Control>
+  <Material>
+    <material id="1" type="neo-Hookean"><E>{LOWER}</E><v>0</v></material>
+    <material id="2" type="neo-Hookean"><E>{UPPER}</E><v>0</v></material>
+  </Material>
+  <Geometry><Nodes>{text}</Nodes>
+    <Elements type="hex8" mat="1"><elem id="7">{",".join(ids[:8])}</elem></Elements>
+    <Elements type="hex8" mat="2"><elem id="3">{",".join(ids[8:])}</elem></Elements>
+  </Geometry>
+  <Boundary><fix bc="xy">{listed(ids)}</fix><fix bc="z">{listed(ids[:4])}</fix>
+    <prescribe bc="z" lc="1" scale="{-DOWN}">{listed(ids[12:], 1)}</prescribe></Boundary>
+  <Contact><contact name="touch" type="facet-to-facet sliding">
+    <auto_penalty>1</auto_penalty><penalty>{FACTOR}</penalty><two_pass>1</two_pass>
+    <surface type="{OLD_SECONDARY}"><quad4 id="1">{",".join(reversed(ids[8:12]))}</quad4></surface>
+    <surface type="{OLD_PRIMARY}"><quad4 id="1">{",".join(ids[4:8])}</quad4></surface></contact></Contact>
+  <LoadData><loadcurve id="1" type="linear"><loadpoint>0,0</loadpoint><loadpoint>1,1</loadpoint></loadcurve></LoadData>
+</febio_spec>
+'''
+
+
+def shell_on_cube():
+    """A rigid sheet of one quad4 that pushes the lower cube down by DOWN."""
+    text = cubes(upper="rigid body", boundary=SIDEWAYS + FLOOR)
+    ids = [str(10 * (i + 1)) for i in range(16)]
+    text = text.replace(f'<Elements type="hex8" name="upper"><elem id="3">{",".join(ids[8:])}</elem>',
+                        f'<Elements type="quad4" name="upper"><elem id="3">{",".join(ids[8:12])}</elem>')
+    text = text.replace('<SolidDomain name="upper" mat="hard"/>', '<ShellDomain name="upper" mat="hard"/>')
+    text = text.replace("<two_pass>1</two_pass>", "<two_pass>0</two_pass>")
+    return text.replace("<Contact>", """<Rigid><rigid_bc name="push" type="rigid_displacement"><rb>hard</rb>
+      <dof>z</dof><value lc="1">%s</value></rigid_bc><rigid_bc name="guide" type="rigid_fixed"><rb>2</rb>
+      <Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof></rigid_bc>
+      </Rigid><Contact>""" % -DOWN)
+
+
 def root(function):
     """The zero of a growing or falling function between 0 and 10."""
     low, high = 1e-9, 10.0
@@ -133,6 +183,19 @@ class Cubes(unittest.TestCase):
         result = self.run_cubes(cubes())
         self.assertEqual(set(result.summary["contact"]), {"touch", "touch_second_pass"})
         self.expect_pressed(result.fields.nodal("displacement_z"))
+
+    def test_old_files_are_the_same_model(self):
+        result = self.run_cubes(cubes_of_2_0())
+        self.assertEqual(set(result.summary["contact"]), {"touch", "touch_second_pass"})
+        self.expect_pressed(result.fields.nodal("displacement_z"))
+
+    def test_rigid_sheet_pushes_a_cube(self):
+        """p = E/2 (1/s - s) of the cube is the penalty, FACTOR E A/V, times what the sheet sinks in."""
+        uz = self.run_cubes(shell_on_cube()).fields.nodal("displacement_z")
+        p = root(lambda p: stretched(LOWER, -p) - p / (FACTOR * LOWER) - (1 - DOWN))
+        self.assertGreater(p, 0.1)
+        numpy.testing.assert_allclose(uz[LOWER_TOP], stretched(LOWER, -p) - 1, rtol=0, atol=1e-10)
+        numpy.testing.assert_allclose(uz[8:], -DOWN, rtol=0, atol=1e-12)
 
     def test_contact_of_the_second_step(self):
         """Without contact the upper cube sinks into the lower one, then it is pushed out."""

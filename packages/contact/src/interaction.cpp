@@ -217,7 +217,9 @@ const Connectivity& Interaction::candidates() const {
 
 bool Interaction::symmetric() const {
   const Settings& o = settings();
-  return o.tangent == Tangent::symmetric || (!o.ray() && !o.anchors() && o.friction == 0.0);
+  if (o.tangent == Tangent::symmetric)
+    return true;
+  return !o.ray() && !o.anchors() && !o.nonsymmetric_nodes() && o.friction == 0.0;
 }
 
 /// A gap is a difference of positions: it is known to a few units in their last place.
@@ -323,6 +325,9 @@ std::vector<Site> PointLists::sites() const {
   for (Local i = 0; i < sites.size(); ++i)
     list.push_back(sites[i]);
   return list;
+}
+double PointLists::friction() const {
+  return parts_.data.terms.law.friction;
 }
 double Interaction::wrong_facing_share() const {
   return parts_->data.place.wrong_facing_share();

@@ -57,9 +57,9 @@ InterfaceData::InterfaceData(const Comm& c, mesh::Surface primary, mesh::Surface
 std::unique_ptr<NodalSpace> make_nodal_space(const InterfaceData& data) {
   if (!data.settings.nodal_law())
     return nullptr;
-  auto space =
-      std::make_unique<NodalSpace>(data.comm, data.corners, data.primary(),
-                                   soft_modulus(data.settings), data.settings.friction > 0.0);
+  auto space = std::make_unique<NodalSpace>(data.comm, data.corners, data.primary(),
+                                            data.settings.weighted_gap, soft_modulus(data.settings),
+                                            data.settings.friction > 0.0);
   if (data.settings.formulation != Formulation::node_on_facet) // there each node is a point
     space->set_prescribed(data.held);
   return space;

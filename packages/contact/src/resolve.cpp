@@ -81,6 +81,9 @@ void refuse_contradictions(const ContactOptions& o, const SideComparison& sides)
   key = against_dual(o);
   refuse(o.multipliers == Multipliers::dual && key, ".multipliers",
          "'dual' does not go with " + quoted(key) + "; valid here: automatic, smoothed, per_point");
+  refuse(o.weighted_gap == WeightedGap::hat && o.multipliers != Multipliers::automatic &&
+             o.multipliers != Multipliers::dual,
+         ".weighted_gap", "'hat' goes with 'multipliers: dual' only");
   refuse(along_rays(o.friction_map) && o.formulation != Formulation::sliding_elastic,
          ".friction_map",
          quoted(word(o.friction_map)) +
@@ -205,6 +208,8 @@ std::string explain_space(const ContactOptions& o, const Settings& s) {
   if (o.multipliers == Multipliers::per_point)
     return "multipliers: per_point, given\n";
   std::string text = s.nodal_law() ? "multipliers: dual" : "multipliers: smoothed";
+  if (s.nonsymmetric_nodes())
+    text += " with gaps weighted by hat functions";
   if (o.multipliers != Multipliers::automatic)
     return text + ", given\n";
   if (s.nodal_law())
@@ -267,6 +272,7 @@ Settings resolve(const ContactOptions& o, const SideComparison& sides) {
   s.enforcement = o.enforcement;
   s.tangent = o.tangent;
   s.multipliers = space(o, s.sides);
+  s.weighted_gap = o.weighted_gap;
   s.two_pass = o.two_pass;
   s.tension = o.tension;
   s.tied = o.tied;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "abut/deck/deck.hpp"
+#include "describe/audit.hpp"
 #include "describe/bodies.hpp"
 #include "describe/contact.hpp"
 #include "describe/joints.hpp"
@@ -49,6 +50,7 @@ template <class V> void describe(V& v, Deck& o) {
                    [&](auto& w) { describe(w, o.dynamics); });
   section("newton", o.newton, "nonlinear solves");
   section("linear_solver", o.linear, "linear solves");
+  section("audit", o.audit, "a look at converged steps by other means than those of contact");
   section("output", o.output, "results on disk");
   v.group("trilinos", "Trilinos parameter lists, merged over abut's own", [&](auto& w) {
     w.trilinos_list("NOX", o.newton.nox, "nonlinear solver");

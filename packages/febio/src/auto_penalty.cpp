@@ -16,7 +16,7 @@ double young(double bulk, double shear) {
 /// Young's modulus without strain.
 double young(const Material& m) {
   const auto& x = m.numbers;
-  if (m.type == "Mooney-Rivlin")
+  if (m.is_mooney_rivlin())
     return young(x.at("k"), 2.0 * (x.at("c1") + x.at("c2")));
   if (m.type != "Ogden" && m.type != "Ogden unconstrained")
     return x.at("E");
@@ -49,53 +49,51 @@ private:
   const MeshTranslation& mesh_;
 };
 
+/// Faces with one stiffness: Young's modulus, or the penalty itself where they are rigid.
+struct Group {
+  bool rigid;
+  double value;
+  std::vector<mesh::SideData> sides;
+};
+
 bool same(double a, double b) {
-  return std::abs(a - b) <= 1e-6 * std::abs(a);
+  return a == b || std::abs(a - b) <= 1e-6 * std::abs(a);
 }
 
-/// One number for all faces of a surface of which at least one is rigid.
-PassPenalty of_rigid(const Surfaces& surfaces, const MeshTranslation& mesh, double factor,
-                     const std::string& primary) {
-  PassPenalty result;
+std::vector<Group> groups(const Surfaces& surfaces, const MeshTranslation& mesh,
+                          const std::string& primary) {
+  std::vector<Group> result;
   for (const mesh::SideData& side : surfaces.sides(primary)) {
     const Material& m = surfaces.material(side);
     const double v = m.is_rigid() ? m.numbers.at("v") : 0.0;
-    const double e = m.is_rigid() ? m.numbers.at("E") / (1.0 - v * v) : young(m);
-    const double penalty = factor * e * mesh.inverse_depth(side);
-    if (result.number != 0.0 && !same(result.number, penalty))
-      result.refused = "surface '" + primary +
-                       "' is rigid, and FEBio takes a penalty for each of its faces from the E and "
-                       "v of the rigid material: give a number, auto_penalty 0";
-    result.number = penalty;
+    const double value =
+        m.is_rigid() ? m.numbers.at("E") / (1.0 - v * v) * mesh.inverse_depth(side) : young(m);
+    auto group = std::find_if(result.begin(), result.end(), [&](const Group& g) {
+      return g.rigid == m.is_rigid() && same(g.value, value);
+    });
+    if (group == result.end())
+      group = result.insert(result.end(), {m.is_rigid(), value, {}});
+    group->sides.push_back(side);
   }
+  return result;
+}
+
+PassPenalty of_rigid(double value, double factor, const std::string& primary) {
+  PassPenalty result;
+  result.number = rounded(factor * value, 12);
   if (!(result.number > 0.0) || !std::isfinite(result.number))
     result.refused =
         "surface '" + primary +
         "' is rigid, and FEBio's penalty from the E and v of the rigid material is not "
         "above 0: give a number, auto_penalty 0";
-  result.number = rounded(result.number, 12);
   result.note = "FEBio: " + number_text(factor) + ", from the rigid material's E and v";
   return result;
 }
 
-} // namespace
-
-PassPenalty automatic_penalty(const Model& model, const MeshTranslation& mesh, double factor,
-                              const std::string& primary, const std::string& secondary) {
-  const Surfaces surfaces(model, mesh);
-  const std::vector<mesh::SideData>& sides = surfaces.sides(primary);
-  if (std::any_of(sides.begin(), sides.end(),
-                  [&](const mesh::SideData& s) { return surfaces.material(s).is_rigid(); }))
-    return of_rigid(surfaces, mesh, factor, primary);
-  const double of_primary = surfaces.softest(primary);
+PassPenalty of_primary(double modulus, double other, double factor) {
   PassPenalty result;
   result.automatic = true;
-  for (const mesh::SideData& side : sides)
-    if (!same(of_primary, young(surfaces.material(side))))
-      result.refused = "surface '" + primary +
-                       "' is of several stiffnesses, and FEBio takes the penalty of each face from "
-                       "its own: give a number, auto_penalty 0, or a contact for each material";
-  const double ratio = of_primary / std::min(of_primary, surfaces.softest(secondary));
+  const double ratio = modulus / std::min(modulus, other);
   result.number = factor;
   if (ratio > 1.0 + 1e-6) {
     result.number = rounded(factor * ratio, 12);
@@ -103,6 +101,27 @@ PassPenalty automatic_penalty(const Model& model, const MeshTranslation& mesh, d
                   number_text(rounded(ratio, 4)) + " times the other's";
   }
   return result;
+}
+
+} // namespace
+
+std::vector<PenaltyPart> automatic_penalty(const Model& model, const MeshTranslation& mesh,
+                                           double factor, const std::string& primary,
+                                           const std::string& secondary) {
+  const Surfaces surfaces(model, mesh);
+  constexpr std::size_t most = 8; // contacts made of one
+  std::vector<PenaltyPart> parts;
+  const std::vector<Group> all = groups(surfaces, mesh, primary);
+  for (const Group& group : all)
+    parts.push_back(
+        {group.sides, group.rigid ? of_rigid(group.value, factor, primary)
+                                  : of_primary(group.value, surfaces.softest(secondary), factor)});
+  if (parts.size() > most)
+    parts[0].penalty.refused =
+        "surface '" + primary + "' is of " + std::to_string(parts.size()) +
+        " stiffnesses, and FEBio takes the penalty of each face from its own: give a number, "
+        "auto_penalty 0";
+  return parts;
 }
 
 } // namespace abut::febio

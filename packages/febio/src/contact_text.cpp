@@ -11,7 +11,7 @@ namespace {
 
 class ContactWriter {
 public:
-  ContactWriter(const Model& model, const MeshTranslation& mesh, DeckCurves& curves, Report& report)
+  ContactWriter(const Model& model, MeshTranslation& mesh, DeckCurves& curves, Report& report)
       : model_(model), mesh_(mesh), curves_(curves), report_(report) {}
 
   std::string text() {
@@ -35,47 +35,71 @@ private:
       line(key, number_text(value));
   }
 
-  /// One entry, or two where FEBio's passes have penalties of their own.
+  /// One entry, or several where FEBio's passes or the faces of a surface have penalties of their
+  /// own.
   std::string passes(const Contact& c) {
     const SurfacePair& p = pair(c);
-    check_faces(c, p.primary, "flip_primary");
-    check_faces(c, p.secondary, "flip_secondary");
+    check_faces(c, p.primary, "flip_primary", uses_normals(c) || c.flag("two_pass"));
+    check_faces(c, p.secondary, "flip_secondary", !c.is_tied() || takes_rays(c));
     report_friction(c);
     const std::string name = names_.make(c.name, "contact");
-    PassPenalty first = penalty_of(c, p.primary, p.secondary);
+    std::vector<PenaltyPart> first = penalty_of(c, p.primary, p.secondary);
     if (!c.flag("two_pass"))
-      return one(c, name, p, first, false);
-    const PassPenalty second = penalty_of(c, p.secondary, p.primary);
-    if (first.automatic == second.automatic && first.number == second.number) {
-      first.number *= 2.0; // each of abut's passes carries half
-      first.note = "twice FEBio's: its two passes add up";
-      return one(c, name, p, first, true);
+      return parts(c, name, p, first);
+    const std::vector<PenaltyPart> second = penalty_of(c, p.secondary, p.primary);
+    PassPenalty& penalty = first[0].penalty;
+    if (first.size() == 1 && second.size() == 1 &&
+        penalty.automatic == second[0].penalty.automatic &&
+        penalty.number == second[0].penalty.number) {
+      penalty.number *= 2.0; // each of abut's passes carries half
+      penalty.note = "twice FEBio's: its two passes add up";
+      return one(c, name, p, p.primary, penalty, true);
     }
     const SurfacePair back = {p.name, p.secondary, p.primary, p.line};
-    return one(c, name, p, first, false) +
-           one(c, names_.make(name + "_second_pass", ""), back, second, false);
+    return parts(c, name, p, first) +
+           parts(c, names_.make(name + "_second_pass", ""), back, second);
+  }
+
+  /// An entry for each part of the primary surface.
+  std::string parts(const Contact& c, const std::string& name, const SurfacePair& p,
+                    const std::vector<PenaltyPart>& list) {
+    if (list.size() == 1)
+      return one(c, name, p, p.primary, list[0].penalty, false);
+    std::string out;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string number = "_part_" + std::to_string(i + 1);
+      const std::string set = mesh_.add_side_set(p.primary + number, list[i].sides);
+      const std::string own = i == 0 ? name : names_.make(name + number, "");
+      out += one(c, own, p, set, list[i].penalty, false);
+    }
+    report_.add({c.line, "Contact/contact/auto_penalty", Fate::used,
+                 "surface '" + p.primary + "' is of " + std::to_string(list.size()) +
+                     " stiffnesses, each of which has a penalty and so a contact of its own"});
+    return out;
   }
 
   bool in_one_step(const Contact& c) const { return c.step >= 0 && model_.steps.size() > 1; }
 
-  PassPenalty penalty_of(const Contact& c, const std::string& primary,
-                         const std::string& secondary) const {
+  std::vector<PenaltyPart> penalty_of(const Contact& c, const std::string& primary,
+                                      const std::string& secondary) const {
     const double number = c.number("penalty");
     if (!(number > 0.0))
       throw InputError(model_.where(c.line) + ": the penalty of contact '" + c.name +
                        "' must be positive");
     if (!c.flag("auto_penalty"))
-      return {false, number, "", ""};
-    const PassPenalty penalty = automatic_penalty(model_, mesh_, number, primary, secondary);
-    if (!penalty.refused.empty())
-      report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused, penalty.refused});
-    return penalty;
+      return {{{}, {false, number, "", ""}}};
+    const auto result = automatic_penalty(model_, mesh_, number, primary, secondary);
+    for (const PenaltyPart& part : result)
+      if (!part.penalty.refused.empty())
+        report_.add({c.line, "Contact/contact/auto_penalty", Fate::refused, part.penalty.refused});
+    return result;
   }
 
+  /// set: the side set of the primary surface, or of a part of it.
   std::string one(const Contact& c, const std::string& name, const SurfacePair& p,
-                  const PassPenalty& penalty, bool two_pass) {
+                  const std::string& set, const PassPenalty& penalty, bool two_pass) {
     lines_ = "  " + name + ":" + (name == c.name ? "" : "  # FEBio: " + c.name) + "\n";
-    line("primary", quoted(p.primary));
+    line("primary", quoted(set));
     line("secondary", quoted(p.secondary));
     if (is_nodal(c))
       line("formulation", "node_on_facet");
@@ -106,12 +130,14 @@ private:
   }
 
   /// Faces that point into their bodies, unless they are turned round, would make contact inside.
-  void check_faces(const Contact& c, const std::string& surface, const char* flip) const {
+  /// Where nothing depends on their normal, they may.
+  void check_faces(const Contact& c, const std::string& surface, const char* flip,
+                   bool has_normal) const {
     if (mesh_.data().side_sets.count(surface) == 0)
       throw InputError(model_.where(c.line) + ": surface '" + surface + "' of contact '" + c.name +
                        "' has no faces");
     const bool flipped = c.values.count(flip) && c.flag(flip);
-    if (mesh_.points_outwards(surface) == flipped)
+    if (has_normal && mesh_.points_outwards(surface) == flipped)
       report_.add({c.line, "Contact/contact '" + c.name + "'", Fate::refused,
                    "the faces of surface '" + surface + "' point into their bodies"});
   }
@@ -133,6 +159,10 @@ private:
 
   static bool is_nodal(const Contact& c) {
     return c.type == "sliding-node-on-facet" || c.type == "tied-node-on-facet" || c.is_sticky();
+  }
+  /// Of the primary surface; else a point looks for the closest one of the other.
+  static bool uses_normals(const Contact& c) {
+    return takes_rays(c) || (!is_nodal(c) && c.flag("node_reloc"));
   }
   static bool takes_rays(const Contact& c) {
     return c.type == "sliding-elastic" || c.type == "tied-elastic";
@@ -223,7 +253,7 @@ private:
   }
 
   const Model& model_;
-  const MeshTranslation& mesh_;
+  MeshTranslation& mesh_;
   DeckCurves& curves_;
   Report& report_;
   DeckNames names_;
@@ -232,7 +262,7 @@ private:
 
 } // namespace
 
-std::string contact_text(const Model& model, const MeshTranslation& mesh, DeckCurves& curves,
+std::string contact_text(const Model& model, MeshTranslation& mesh, DeckCurves& curves,
                          Report& report) {
   return ContactWriter(model, mesh, curves, report).text();
 }

@@ -118,17 +118,26 @@ struct PassPenalty {
   std::string refused; ///< why no deck can say the same
 };
 
-/// FEBio's automatic penalty of a pass, which is of the primary alone: E A / V, with E as it is
-/// without strain and of a rigid material its E / (1 - v^2). The deck's is of the softer surface.
-PassPenalty automatic_penalty(const Model& model, const MeshTranslation& mesh, double factor,
-                              const std::string& primary, const std::string& secondary);
+/// Faces of a primary surface that have one penalty; none where it is the whole surface.
+struct PenaltyPart {
+  std::vector<mesh::SideData> sides;
+  PassPenalty penalty;
+};
+
+/// FEBio's automatic penalty of a pass, which is of the primary alone: E A / V of each face, with E
+/// as it is without strain and of a rigid material its E / (1 - v^2). The deck's is of the softer
+/// surface, and one for a contact: faces of one stiffness are a part. Not empty.
+std::vector<PenaltyPart> automatic_penalty(const Model& model, const MeshTranslation& mesh,
+                                           double factor, const std::string& primary,
+                                           const std::string& secondary);
 
 /// Lines of the sections. `names`: FEBio's names stand in comments where they differ.
 std::string displacements_text(const Model& model, const RigidBodies& rigid, MeshTranslation& mesh,
                                DeckCurves& curves, Report& report);
 std::string joints_text(const Model& model, const RigidBodies& rigid, DeckCurves& curves,
                         Report& report);
-std::string contact_text(const Model& model, const MeshTranslation& mesh, DeckCurves& curves,
+/// Side sets for parts of surfaces are added to the mesh.
+std::string contact_text(const Model& model, MeshTranslation& mesh, DeckCurves& curves,
                          Report& report);
 
 } // namespace abut::febio

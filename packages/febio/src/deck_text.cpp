@@ -146,7 +146,7 @@ private:
   std::string law(const Material& m) const {
     FlowMap map;
     const auto& x = m.numbers;
-    if (m.type == "Mooney-Rivlin") {
+    if (m.is_mooney_rivlin()) {
       map.add("model", "mooney_rivlin");
       map.add("c1", x.at("c1"));
       if (x.at("c2") != 0.0)

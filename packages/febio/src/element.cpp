@@ -3,25 +3,14 @@
 
 #include "abut/core/error.hpp"
 #include "abut/translation/number.hpp"
-#include "abut/translation/utf8.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 
 namespace abut::febio {
 
 namespace {
-
-const char* const white = " \t\r\n";
-
-std::string trimmed(const std::string& s) {
-  const std::size_t first = s.find_first_not_of(white);
-  if (first == std::string::npos)
-    return "";
-  return s.substr(first, s.find_last_not_of(white) - first + 1);
-}
 
 using translation::is_sane;
 
@@ -37,6 +26,14 @@ bool parse_integer(const std::string& s, Global& n) {
   errno = 0;
   n = std::strtoll(s.c_str(), &end, 10);
   return !s.empty() && end == s.c_str() + s.size() && errno == 0;
+}
+
+/// What FEBio reads as 0, whichever of the two it is.
+bool is_truth_word(const std::string& s) {
+  for (const char* word : {"True", "true", "TRUE", "False", "false", "FALSE"})
+    if (s == word)
+      return true;
+  return false;
 }
 
 /// Parts between commas, or between white space where there are no commas.
@@ -55,44 +52,27 @@ std::vector<std::string> split(const std::string& s) {
 
 } // namespace
 
-Document::Document(const std::string& text, std::string file) : file_(std::move(file)) {
-  const std::string utf8 = translation::utf8(text);
-  line_starts_.push_back(0);
-  for (std::size_t i = 0; i < utf8.size(); ++i)
-    if (utf8[i] == '\n')
-      line_starts_.push_back(i + 1);
-  const pugi::xml_parse_result result =
-      xml_.load_buffer(utf8.data(), utf8.size(), pugi::parse_default, pugi::encoding_utf8);
-  if (!result) {
-    const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(),
-                                        static_cast<std::size_t>(result.offset));
-    throw InputError(file_ + ":" + std::to_string(after - line_starts_.begin()) +
-                     ": not a complete XML file: " + result.description());
+Document::Document(const Tree& tree) : tree_(tree) {
+  for (const auto& [node, verdict] : tree.verdicts()) {
+    Mark& mark = marks_[node];
+    mark.taken = mark.settled = true;
+    mark.fate = verdict.fate;
+    mark.note = verdict.why;
   }
 }
 
-int Document::line(pugi::xml_node node) const {
-  const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(),
-                                      static_cast<std::size_t>(node.offset_debug()));
-  return static_cast<int>(after - line_starts_.begin());
-}
-
-Element Document::root(const char* name) {
-  const pugi::xml_node node = xml_.document_element();
-  if (std::strcmp(node.name(), name) != 0)
-    throw InputError(file_ + ":" + std::to_string(line(node)) + ": expected the root element <" +
-                     name + ">, got <" + node.name() + ">");
-  return {*this, node};
+Element Document::root() {
+  return {*this, tree_.root()};
 }
 
 Report Document::report() const {
   Report report;
-  const pugi::xml_node root = xml_.document_element();
+  const pugi::xml_node root = tree_.root();
   const auto mark = marks_.find(root.hash_value());
   add_attributes(root, mark->second, root.name(), report);
   for (const pugi::xml_node child : root.children())
     if (child.type() == pugi::node_element)
-      collect(child, child.name(), report);
+      collect(child, tree_.name_in_file(child), report);
   return report;
 }
 
@@ -101,9 +81,7 @@ void Document::add_unknown(pugi::xml_node node, const Mark& parent, const std::s
   const auto& known = parent.children;
   const bool twice = std::find(known.begin(), known.end(), node.name()) != known.end();
   report.add({line(node), path, Fate::refused,
-              twice ? "given twice"
-                    : "not supported here; " +
-                          nearest_word_hint(node.name(), known.data(), known.size())});
+              twice ? "given twice" : not_supported("", node.name(), known)});
 }
 
 void Document::add_attributes(pugi::xml_node node, const Mark& mark, const std::string& path,
@@ -112,8 +90,16 @@ void Document::add_attributes(pugi::xml_node node, const Mark& mark, const std::
     if (std::find(mark.attributes.begin(), mark.attributes.end(), a.name()) ==
         mark.attributes.end())
       report.add({line(node), path, Fate::refused,
-                  std::string("attribute '") + a.name() + "' is not supported here; " +
-                      nearest_word_hint(a.name(), mark.attributes.data(), mark.attributes.size())});
+                  not_supported(std::string("attribute '") + a.name() + "' is ", a.name(),
+                                mark.attributes)});
+}
+
+/// The words that are valid are those of specification 4.0: no help in an older file.
+std::string Document::not_supported(const std::string& what, const char* word,
+                                    const std::vector<std::string>& known) const {
+  const std::string text = what + "not supported here";
+  return tree_.is_translated() ? text
+                               : text + "; " + nearest_word_hint(word, known.data(), known.size());
 }
 
 void Document::collect(pugi::xml_node node, const std::string& path, Report& report) const {
@@ -135,7 +121,7 @@ void Document::collect(pugi::xml_node node, const std::string& path, Report& rep
     return;
   for (const pugi::xml_node child : node.children())
     if (child.type() == pugi::node_element)
-      collect(child, path + "/" + child.name(), report);
+      collect(child, path + "/" + tree_.name_in_file(child), report);
 }
 
 Element::Element(Document& document, pugi::xml_node node) : document_(&document), node_(node) {
@@ -143,16 +129,15 @@ Element::Element(Document& document, pugi::xml_node node) : document_(&document)
 }
 
 void Element::fail(const std::string& message) const {
-  throw InputError(document_->file() + ":" + std::to_string(line()) + ": <" + name() +
-                   ">: " + message);
+  document_->tree_.fail(node_, message);
 }
 
 std::optional<Element> Element::child(const char* name) {
   document_->mark(node_).children.push_back(name);
-  const pugi::xml_node node = node_.child(name);
-  if (!node)
-    return {};
-  return Element(*document_, node);
+  for (const pugi::xml_node node : node_.children(name))
+    if (!document_->is_settled(node))
+      return Element(*document_, node);
+  return {};
 }
 
 Element Element::required_child(const char* name) {
@@ -166,14 +151,15 @@ std::vector<Element> Element::children(const char* name) {
   document_->mark(node_).children.push_back(name);
   std::vector<Element> result;
   for (const pugi::xml_node node : node_.children(name))
-    result.emplace_back(*document_, node);
+    if (!document_->is_settled(node))
+      result.emplace_back(*document_, node);
   return result;
 }
 
 std::vector<Element> Element::children() {
   std::vector<Element> result;
   for (const pugi::xml_node node : node_.children())
-    if (node.type() == pugi::node_element)
+    if (node.type() == pugi::node_element && !document_->is_settled(node))
       result.emplace_back(*document_, node);
   return result;
 }
@@ -246,11 +232,7 @@ void Element::note(const std::string& text) {
 }
 
 std::string Element::text() const {
-  std::string s;
-  for (const pugi::xml_node child : node_.children())
-    if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
-      s += child.value();
-  return trimmed(s);
+  return text_of(node_);
 }
 
 double Element::number() const {
@@ -269,8 +251,12 @@ Global Element::integer() const {
   return n;
 }
 
-bool Element::flag() const {
+bool Element::flag() {
   const std::string s = text();
+  if (is_truth_word(s)) {
+    note("'" + s + "' is no number: FEBio reads 0");
+    return false;
+  }
   if (s != "0" && s != "1")
     fail("expected 0 or 1, got '" + s + "'");
   return s == "1";
@@ -304,13 +290,18 @@ Value Element::value() {
   Value v;
   v.number = number();
   v.line = line();
-  if (const auto lc = attribute("lc")) {
-    Global id = 0;
-    if (!parse_integer(*lc, id) || id < 1)
-      fail("expected the id of a load controller in lc, got '" + *lc + "'");
-    v.curve = static_cast<int>(id);
-  }
+  v.curve = curve();
   return v;
+}
+
+int Element::curve() {
+  const auto lc = attribute("lc");
+  if (!lc)
+    return 0;
+  Global id = 0;
+  if (!parse_integer(*lc, id) || id < 1)
+    fail("expected the id of a load controller in lc, got '" + *lc + "'");
+  return static_cast<int>(id);
 }
 
 double Element::number_or(const char* name, double otherwise) {
@@ -329,7 +320,7 @@ int Element::whole_or(const char* name, int otherwise) {
 }
 
 bool Element::flag_or(const char* name, bool otherwise) {
-  const auto found = child(name);
+  auto found = child(name);
   return found ? found->flag() : otherwise;
 }
 
@@ -350,7 +341,7 @@ Value Element::value_or(const char* name, double otherwise) {
 
 void Element::expect(const char* name, double only, const std::string& why) {
   auto found = child(name);
-  if (found && found->number() != only)
+  if (found && (is_truth_word(found->text()) ? found->flag() : found->number()) != only)
     found->refuse(why);
 }
 

@@ -4,6 +4,7 @@
 #include "abut/core/types.hpp"
 #include "abut/febio/model.hpp"
 #include "abut/febio/report.hpp"
+#include "tree.hpp"
 
 #include <array>
 #include <optional>
@@ -20,15 +21,12 @@ class Element;
 /// asked for ends up refused, so that nothing is dropped in silence.
 class Document {
 public:
-  /// Throws InputError "FILE:LINE: ..." when the text is not XML. Text that is not UTF-8 is taken
-  /// as Latin 1.
-  Document(const std::string& text, std::string file);
+  /// The tree must outlive the document.
+  explicit Document(const Tree& tree);
 
-  /// The root, which must have this name.
-  Element root(const char* name);
+  Element root();
 
-  int line(pugi::xml_node node) const;
-  const std::string& file() const { return file_; }
+  int line(pugi::xml_node node) const { return tree_.line(node); }
 
   /// The fate of every element; bulk data (nodes, elements, faces, points) is counted as part of
   /// what holds it.
@@ -37,7 +35,7 @@ public:
 private:
   friend class Element;
   struct Mark {
-    bool taken = false, bulk = false;
+    bool taken = false, bulk = false, settled = false;
     Fate fate = Fate::used;
     std::string note;
     std::vector<std::string> attributes, children; ///< asked for
@@ -49,9 +47,14 @@ private:
   void add_attributes(pugi::xml_node node, const Mark& mark, const std::string& path,
                       Report& report) const;
 
-  std::string file_;
-  std::vector<std::size_t> line_starts_;
-  pugi::xml_document xml_;
+  std::string not_supported(const std::string& what, const char* word,
+                            const std::vector<std::string>& known) const;
+  bool is_settled(pugi::xml_node node) const {
+    const auto mark = marks_.find(node.hash_value());
+    return mark != marks_.end() && mark->second.settled;
+  }
+
+  const Tree& tree_;
   std::unordered_map<std::size_t, Mark> marks_;
 };
 
@@ -92,11 +95,12 @@ public:
   std::string text() const; ///< without white space at its ends
   double number() const;
   Global integer() const;
-  bool flag() const; ///< 0 or 1
+  bool flag(); ///< 0 or 1, as FEBio reads it
   std::vector<double> numbers(std::size_t count) const;
   std::vector<Global> integers() const; ///< separated by commas or spaces
   /// The number with its load curve, from attribute lc.
   Value value();
+  int curve(); ///< id of a load controller, 0: none
 
   /// Children by name: their number, flag, text, or `otherwise`.
   double number_or(const char* name, double otherwise);

@@ -26,6 +26,21 @@ bool same_direction(const Global* a, const Global* b, std::size_t count) {
   return b[(start + 1) % count] == a[1];
 }
 
+struct CellBulk {
+  double volume;
+  Vec3 moment; ///< integral of the position
+};
+
+/// Of the shell itself, not of the cell that stands behind its face.
+CellBulk shell_bulk(const Vec3* x, std::size_t corners, double thickness) {
+  const double volume =
+      thickness * fem::face_area(corners == 3 ? fem::FaceType::tri3 : fem::FaceType::quad4, x);
+  Vec3 middle = Vec3::zero();
+  for (std::size_t a = 0; a < corners; ++a)
+    middle += 1.0 / static_cast<double>(corners) * x[a];
+  return {volume, volume * middle};
+}
+
 } // namespace
 
 MeshTranslation::MeshTranslation(const Model& model, Report& report) : model_(model) {
@@ -91,11 +106,14 @@ void MeshTranslation::measure() {
              << ", expected > 0. Check the order of its nodes";
         throw InputError(text.str());
       }
-      bulk.volume += m.volume;
-      bulk.volumes.push_back(m.volume);
-      moment += m.moment;
+      const CellBulk own =
+          d.is_shell ? shell_bulk(x + n / 2, n / 2, d.thickness) : CellBulk{m.volume, m.moment};
+      bulk.volume += own.volume;
+      bulk.volumes.push_back(own.volume);
+      moment += own.moment;
     }
-    bulk.centroid = 1.0 / bulk.volume * moment;
+    if (bulk.volume > 0.0) // a shell may have no thickness
+      bulk.centroid = 1.0 / bulk.volume * moment;
     bulk_.push_back(bulk);
   }
 }
@@ -204,6 +222,14 @@ std::string MeshTranslation::set_of(const std::vector<Global>& nodes, const std:
   set_nodes_[name] = nodes;
   for (const Global id : nodes)
     data_.node_sets[name].push_back(index_.at(id));
+  return name;
+}
+
+std::string MeshTranslation::add_side_set(std::string name,
+                                          const std::vector<mesh::SideData>& sides) {
+  while (data_.node_sets.count(name) || data_.side_sets.count(name))
+    name += "_";
+  data_.side_sets[name] = sides;
   return name;
 }
 

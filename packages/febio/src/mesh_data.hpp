@@ -30,6 +30,9 @@ public:
   /// added to the mesh when there is none. `place` is where they come from.
   std::string set_of(const std::vector<Global>& nodes, const std::string& place);
 
+  /// Adds faces as a side set and returns its name: this one, or a longer one where it is taken.
+  std::string add_side_set(std::string name, const std::vector<mesh::SideData>& sides);
+
   /// Whether the faces of a surface, as listed in the file, point out of their elements.
   bool points_outwards(const std::string& surface) const { return outwards_.at(surface); }
   /// Mean square root of the areas of its faces, by their corners [length].

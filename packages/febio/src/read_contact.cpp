@@ -33,10 +33,10 @@ constexpr Parameter common[] = {{"tolerance", 0.01},
 
 Value read_value(Element child, Range range) {
   constexpr double most = 1e9;
+  if (range == Range::flag)
+    return {child.flag() ? 1.0 : 0.0, 0, child.line()};
   const Value v = child.value();
   const bool whole = v.number == std::floor(v.number) && std::abs(v.number) <= most;
-  if (range == Range::flag && v.number != 0.0 && v.number != 1.0)
-    child.fail("expected 0 or 1, got '" + child.text() + "'");
   if (range == Range::count && !(whole && v.number >= 0.0))
     child.fail("expected a whole number from 0 to a billion, got '" + child.text() + "'");
   if (range == Range::not_negative && !(v.number >= 0.0))
@@ -106,6 +106,10 @@ void read_tied_to_closest(Element contact, Contact& c) {
     read_numbers(contact, c, {"max_traction", 0});
     read_numbers(contact, c, {"snap_tol", 0, Range::not_negative});
   }
+  contact.ignore({"knmult", "ktmult"}, "abut takes the exact tangent");
+  contact.ignore("update_penalty", "has no effect in FEBio either");
+  if (c.type == "tied-facet-on-facet")
+    c.values["moves_nodes"].number = contact.flag_or("gap_offset", false) ? 1.0 : 0.0;
   if (c.type != "tied-node-on-facet")
     return;
   read_numbers(contact, c, {"max_distance", 0});
@@ -129,6 +133,10 @@ void read_tied_elastic(Element contact, Contact& c) {
   }
   read_numbers(contact, c, {"search_radius", 1.0});
   contact.ignore({"knmult", "symmetric_stiffness"}, "abut takes the exact tangent");
+  contact.ignore("update_penalty", "has no effect in FEBio while materials do not change");
+  contact.ignore({"flip_primary", "flip_secondary"}, "ties hold both ways");
+  contact.expect("shell_bottom_primary", 0, "abut has no shells");
+  contact.expect("shell_bottom_secondary", 0, "abut has no shells");
 }
 
 /// FEBio scales the penalty with the number of augmentations where these ask for it.
@@ -186,7 +194,9 @@ void read_one(Element contact, Model& model) {
 
 bool read_augmentation(Element contact) {
   auto child = contact.child("laugon");
-  const std::string text = child ? child->text() : "PENALTY";
+  std::string text = child ? child->text() : "PENALTY";
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   const bool augmented = text == "AUGLAG" || text == "1";
   if (!augmented && text != "PENALTY" && text != "0")
     child->refuse("'" + text + "': abut has PENALTY and AUGLAG");

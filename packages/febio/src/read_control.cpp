@@ -10,7 +10,9 @@ namespace {
 void read_time_stepper(Element stepper, Step& step) {
   stepper.attribute("type");
   if (auto largest = stepper.child("dtmax")) {
-    step.must_points_curve = largest->value().curve;
+    step.must_points_curve = largest->curve(); // its text may be empty
+    if (!largest->text().empty())
+      largest->number();
     largest->note("steps never grow beyond step_size");
   }
   stepper.ignore({"max_retries", "opt_iter", "dtmin", "aggressiveness", "cutback", "dtforce"},

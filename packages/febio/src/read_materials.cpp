@@ -63,6 +63,8 @@ void read_uncoupled(Element material, Material& m) {
   read_numbers(material, {{"k", true, 0.0}}, m);
   require(material, m, "k", m.numbers["k"] > 0.0, "a number > 0");
   read_pressure_model(material);
+  material.expect("laugon", 0, "abut has no multipliers for volumes: set 0");
+  material.ignore("atol", "has no effect without laugon");
 }
 
 void read_rigid_body(Element material, Material& m) {
@@ -79,11 +81,11 @@ void read_rigid_body(Element material, Material& m) {
 void read_materials(Element section, Model& model) {
   static const std::string types[] = {"neo-Hookean",         "Mooney-Rivlin", "Ogden",
                                       "Ogden unconstrained", "Holmes-Mow",    "isotropic elastic",
-                                      "St.Venant-Kirchhoff", "rigid body"};
+                                      "St.Venant-Kirchhoff", "rigid body",    "incomp neo-Hookean"};
   for (Element material : section.children("material")) {
     Material m;
     m.line = material.line();
-    material.attribute("id");
+    m.id = material.attribute_or("id", "");
     m.name = material.required_attribute("name");
     m.type = material.required_attribute("type");
     require_new_name(material, model.materials, m.name);
@@ -102,6 +104,12 @@ void read_materials(Element section, Model& model) {
       read_uncoupled(material, m);
       read_numbers(material, {{"c1", true, 0.0}, {"c2", false, 0.0}}, m);
       require(material, m, "c1", m.numbers["c1"] + m.numbers["c2"] > 0.0, "c1 + c2 > 0");
+    } else if (m.type == "incomp neo-Hookean") {
+      read_uncoupled(material, m);
+      read_numbers(material, {{"G", true, 0.0}}, m);
+      require(material, m, "G", m.numbers["G"] > 0.0, "a number > 0");
+      m.numbers["c1"] = 0.5 * m.numbers["G"];
+      m.numbers["c2"] = 0.0;
     } else if (m.type == "Ogden") {
       read_uncoupled(material, m);
       read_ogden_terms(material, m);

@@ -30,6 +30,15 @@ constexpr CellWord cell_words[] = {
     {"penta6", fem::CellType::wedge6, {0, 1, 2, 3, 4, 5}},
 };
 
+/// Shells, which become a cell behind each face where they are rigid.
+struct ShellWord {
+  const char* word;
+  fem::CellType cell;
+  std::size_t corners;
+};
+constexpr ShellWord shell_words[] = {{"quad4", fem::CellType::hex8, 4},
+                                     {"tri3", fem::CellType::wedge6, 3}};
+
 struct FacetWord {
   const char* word;
   std::size_t nodes, corners;
@@ -67,6 +76,7 @@ public:
       edge(part);
     for (Element part : section.children("SurfacePair"))
       pair(part);
+    section.ignore("DiscreteSet", "for springs in <Discrete>, if there are any");
     if (mesh_.domains.empty())
       section.fail("expected an element <Elements> in it");
   }
@@ -107,17 +117,26 @@ private:
     const std::string type = part.required_attribute("type");
     const auto word = std::find_if(std::begin(cell_words), std::end(cell_words),
                                    [&](const CellWord& w) { return type == w.word; });
+    const auto shell = std::find_if(std::begin(shell_words), std::end(shell_words),
+                                    [&](const ShellWord& w) { return type == w.word; });
     const std::vector<Element> list = part.bulk();
     ElementSet set{domain.name, {}};
-    if (word == std::end(cell_words)) {
+    if (shell != std::end(shell_words)) {
+      domain.cell = shell->cell;
+      domain.is_shell = true;
+      const CellWord faces{shell->word, shell->cell, {0, 1, 2, 3}};
+      for (Element e : list)
+        set.elements.push_back(element(e, faces, shell->corners, domain));
+    } else if (word == std::end(cell_words)) {
       part.refuse(unknown_cell(type));
     } else {
       domain.cell = word->cell;
       for (Element e : list)
-        set.elements.push_back(element(e, *word, domain));
-      if (list.empty())
-        part.fail("expected elements in it");
+        set.elements.push_back(
+            element(e, *word, static_cast<std::size_t>(fem::info(word->cell).nodes), domain));
     }
+    if (list.empty())
+      part.fail("expected elements in it");
     mesh_.element_sets.push_back(std::move(set));
     mesh_.domains.push_back(std::move(domain));
   }
@@ -127,11 +146,12 @@ private:
     for (const CellWord& w : cell_words)
       valid.push_back(w.word);
     const bool shell = type.compare(0, 4, "quad") == 0 || type.compare(0, 3, "tri") == 0;
-    return "elements of type '" + type + "'" + (shell ? " are shells, which abut lacks; " : "; ") +
+    return "elements of type '" + type + "'" +
+           (shell ? " are shells, of which abut has rigid quad4 and tri3; " : "; ") +
            nearest_word_hint(type, valid.data(), valid.size());
   }
 
-  Global element(Element e, const CellWord& word, Domain& domain) {
+  Global element(Element e, const CellWord& word, std::size_t wanted, Domain& domain) {
     if (e.name() != "elem")
       e.fail("expected <elem>");
     const Global id = read_id(e);
@@ -139,7 +159,6 @@ private:
       e.fail("element " + std::to_string(id) + " is defined in line " +
              std::to_string(element_line_[id]) + " already");
     const std::vector<Global> nodes = e.integers();
-    const std::size_t wanted = static_cast<std::size_t>(fem::info(word.cell).nodes);
     if (nodes.size() != wanted)
       e.fail("element " + std::to_string(id) + " of type " + word.word + " has " +
              std::to_string(nodes.size()) + " nodes, expected " + std::to_string(wanted));
@@ -283,46 +302,63 @@ void read_mesh(Element section, Model& model) {
 
 namespace {
 
-/// Their elements are refused as well; this says what to do, and ends the search for a domain.
-void refuse_structures(Element section, Model& model) {
-  for (const char* kind : {"ShellDomain", "BeamDomain"})
-    for (Element part : section.children(kind)) {
-      const std::string name = part.required_attribute("name");
-      const bool rigid = part.attribute_or("type", "").compare(0, 5, "rigid") == 0;
-      part.refuse(rigid
-                      ? "abut has solid elements alone: extrude the shell to hex8 or penta6 of the "
-                        "rigid material"
-                      : "abut has solid elements alone: extrude the shell to hex8, hex20 or "
-                        "penta6, several across the thickness where it bends");
-      for (Domain& d : model.mesh.domains)
-        if (d.name == name && d.material.empty())
-          d.material = part.required_attribute("mat");
+Domain& find_domain(Element part, Model& model) {
+  const std::string name = part.required_attribute("name");
+  for (Domain& d : model.mesh.domains)
+    if (d.name == name) {
+      if (!d.material.empty())
+        part.fail("'" + name + "' has its material '" + d.material + "' already");
+      return d;
     }
+  part.fail("there is no <Elements> '" + name + "'");
+}
+
+const Material& find_material(Element part, const Model& model) {
+  const std::string name = part.required_attribute("mat");
+  if (const Material* found = model.material(name))
+    return *found;
+  std::vector<std::string> names;
+  for (const Material& m : model.materials)
+    names.push_back(m.name);
+  part.fail("there is no material '" + name + "'; " +
+            nearest_word_hint(name, names.data(), names.size()));
+}
+
+/// Beams and shells that bend are refused; rigid shells are solids behind their faces.
+void read_structures(Element section, Model& model) {
+  for (Element part : section.children("BeamDomain")) {
+    find_domain(part, model).material = part.required_attribute("mat");
+    part.refuse("abut has solid elements alone");
+  }
+  for (Element part : section.children("ShellDomain")) {
+    Domain& domain = find_domain(part, model);
+    const Material& material = find_material(part, model);
+    domain.material = material.name;
+    part.attribute("type");
+    domain.thickness = part.number_or("shell_thickness", 0.0);
+    part.ignore("shell_normal_nodal", "the shell is rigid");
+    if (!material.is_rigid())
+      part.refuse("abut has shells of rigid material alone: extrude it to hex8, hex20 or penta6, "
+                  "several across the thickness where it bends");
+    else if (domain.is_shell)
+      part.note("each face has a rigid cell behind it");
+  }
 }
 
 } // namespace
 
 void read_mesh_domains(Element section, Model& model) {
-  refuse_structures(section, model);
+  read_structures(section, model);
   for (Element part : section.children("SolidDomain")) {
-    const std::string name = part.required_attribute("name"), mat = part.required_attribute("mat");
-    const auto domain = std::find_if(model.mesh.domains.begin(), model.mesh.domains.end(),
-                                     [&](const Domain& d) { return d.name == name; });
-    if (domain == model.mesh.domains.end())
-      part.fail("there is no <Elements> '" + name + "'");
-    if (!domain->material.empty())
-      part.fail("'" + name + "' has its material '" + domain->material + "' already");
-    if (!model.material(mat)) {
-      std::vector<std::string> names;
-      for (const Material& m : model.materials)
-        names.push_back(m.name);
-      part.fail("there is no material '" + mat + "'; " +
-                nearest_word_hint(mat, names.data(), names.size()));
-    }
-    domain->material = mat;
+    Domain& domain = find_domain(part, model);
+    const Material& material = find_material(part, model);
+    domain.material = material.name;
+    if (domain.is_shell && !material.is_rigid())
+      part.refuse("its elements are shells: expected <ShellDomain>");
     const std::string type = part.attribute_or("type", "");
-    const bool uncoupled = model.material(mat)->numbers.count("k") > 0;
-    if (!type.empty() && type != (uncoupled ? "three-field-solid" : "elastic-solid"))
+    const bool uncoupled = material.numbers.count("k") > 0;
+    const bool rigid = material.is_rigid() && type == "rigid-solid";
+    if (!type.empty() && !rigid && type != (uncoupled ? "three-field-solid" : "elastic-solid"))
       part.refuse("type '" + type +
                   "': abut takes displacement elements, and for uncoupled "
                   "materials in hex8 those with a mean dilatation");
@@ -334,6 +370,7 @@ void read_mesh_domains(Element section, Model& model) {
     if (d.material.empty())
       section.fail("expected a <SolidDomain> for <Elements> '" + d.name + "' in line " +
                    std::to_string(d.line));
+  extrude_rigid_shells(model);
 }
 
 } // namespace abut::febio

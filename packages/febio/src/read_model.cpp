@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/febio/import.hpp"
 #include "readers.hpp"
+#include "versions.hpp"
 #include "yaml_text.hpp"
 
 #include <algorithm>
@@ -12,16 +13,15 @@ namespace {
 void read_module(Element root) {
   Element module = root.required_child("Module");
   const std::string type = module.required_attribute("type");
+  module.ignore("units", "numbers are taken as they are: units must agree with each other");
   if (type != "solid")
     module.refuse("module '" + type + "': abut has solid mechanics alone, type=\"solid\"");
 }
 
 /// Sections that change the answer and that abut has nothing for.
 void refuse_sections(Element parent) {
-  const std::pair<const char*, const char*> sections[] = {
-      {"Discrete", "abut has no springs"},
-      {"MeshData", "abut has no data that vary from element to element"},
-      {"MeshAdaptor", "abut keeps its mesh"}};
+  const std::pair<const char*, const char*> sections[] = {{"Discrete", "abut has no springs"},
+                                                          {"MeshAdaptor", "abut keeps its mesh"}};
   for (const auto& [name, why] : sections)
     for (Element section : parent.children(name))
       if (!section.children().empty())
@@ -49,6 +49,8 @@ void read_initial(Element section, Model& model) {
 /// Sections that may also stand in a step, but for Control.
 void read_physics(Element parent, Model& model) {
   refuse_sections(parent);
+  for (Element section : parent.children("MeshData"))
+    read_mesh_data(section, model);
   if (const auto section = parent.child("Boundary"))
     read_boundary(*section, model);
   if (const auto section = parent.child("Rigid"))
@@ -161,12 +163,11 @@ const Material* Model::material(const std::string& name) const {
 }
 
 Model read_model(const std::string& text, const std::string& file, Report& report) {
-  Document document(text, file);
-  Element root = document.root("febio_spec");
-  const std::string version = root.required_attribute("version");
-  if (version != "4.0")
-    root.fail("version '" + version +
-              "': expected a file of version 4.0, as FEBio Studio saves it");
+  Tree tree(text, file);
+  to_specification_4(tree);
+  Document document(tree);
+  Element root = document.root();
+  root.attribute("version");
   Model model;
   model.file = file;
   read_module(root);

@@ -78,7 +78,12 @@ void read_rigid_velocity(Element ic, bool turns, Model& model) {
 
 std::string read_rigid_body(Element parent, const char* key, const Model& model) {
   const Element body = parent.required_child(key);
-  const std::string name = body.text();
+  std::string name = body.text();
+  for (const Material& m : model.materials) // a number comes before a name, as in FEBio
+    if (!m.id.empty() && m.id == name) {
+      name = m.name;
+      break;
+    }
   const Material* material = model.material(name);
   if (!material)
     body.fail("there is no material '" + name + "'");

@@ -10,6 +10,10 @@ void read_control(Element section, Model& model);
 void read_materials(Element section, Model& model);
 void read_mesh(Element section, Model& model);
 void read_mesh_domains(Element section, Model& model);
+/// Thickness of rigid shells.
+void read_mesh_data(Element section, Model& model);
+/// Rigid shells become rigid cells behind their faces, as surfaces list these.
+void extrude_rigid_shells(Model& model);
 void read_boundary(Element section, Model& model);
 void read_rigid(Element section, Model& model);
 /// A <rigid_connector>.

@@ -269,6 +269,11 @@ private:
     const int line = model_.material(body.materials[0])->line;
     const std::string where = "Material/material '" + body.materials[0] + "'";
     for (const std::size_t d : body.domains) {
+      if (model_.mesh.domains[d].is_shell)
+        report_.add({model_.mesh.domains[d].line, "Elements '" + model_.mesh.domains[d].name + "'",
+                     Fate::refused,
+                     "a free rigid body of shells with inertia, which abut takes from solid "
+                     "elements: extrude it to hex8 or penta6"});
       const double density =
           model_.material(model_.mesh.domains[d].material)->numbers.at("density");
       if (body.density != 0.0 && density != body.density)

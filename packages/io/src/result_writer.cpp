@@ -7,10 +7,12 @@
 #include "put_mesh.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace abut::io {
 
@@ -63,6 +65,35 @@ int longest(const ResultNames& names, int length) {
     for (const std::string& name : *list)
       length = std::max(length, static_cast<int>(name.size()));
   return length;
+}
+
+std::string lower(std::string name) {
+  for (char& c : name)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+/// Gives sets a longer name where it is taken.
+template <class Sets>
+void rename_taken(Sets& sets, const char* kind, std::set<std::string>& taken) {
+  Sets renamed;
+  for (auto& [name, set] : sets) {
+    std::string own = name;
+    while (!taken.insert(lower(own)).second)
+      own += kind;
+    renamed.emplace(std::move(own), std::move(set));
+  }
+  sets = std::move(renamed);
+}
+
+/// IOSS, through which ParaView reads, refuses a file where a block and a set, or two sets, have
+/// one name, of whatever kind and case.
+void make_names_unique(mesh::MeshData& part) {
+  std::set<std::string> taken;
+  for (const mesh::BlockData& b : part.blocks)
+    taken.insert(lower(b.name));
+  rename_taken(part.side_sets, "_faces", taken);
+  rename_taken(part.node_sets, "_nodes", taken);
 }
 
 } // namespace
@@ -165,6 +196,7 @@ ResultWriter::ResultWriter(const std::string& stem, const mesh::Mesh& mesh,
     for (const mesh::Block& b : mesh.blocks)
       block_counts.push_back(comm.sum(Global(b.size())));
   }
+  make_names_unique(part);
   part.title = stem.substr(stem.find_last_of('/') + 1);
 
   comm.together([&] {

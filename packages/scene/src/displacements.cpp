@@ -81,7 +81,8 @@ void check_rigid_nodes(const Options& options, const mesh::Mesh& mesh,
 std::vector<assembly::Constraint> make_constraints(const Options& options, const mesh::Mesh& mesh) {
   std::vector<assembly::Constraint> result;
   std::map<std::pair<Local, int>, std::vector<Window>> given;
-  for (const auto& d : options.displacements) {
+  for (std::size_t group = 0; group < options.displacements.size(); ++group) {
+    const DisplacementOptions& d = options.displacements[group];
     const auto curve = given_curve(options.curves, d.curve);
     for (Local n : nodes_of_set(mesh, d.set)) {
       if (n >= mesh.num_owned)
@@ -95,7 +96,7 @@ std::vector<assembly::Constraint> make_constraints(const Options& options, const
         windows.push_back(d.window);
         const double* x = mesh.x.data() + 3 * std::size_t(n);
         result.push_back({n, i, history(d.values[std::size_t(i)], {{x[0], x[1], x[2]}}, curve),
-                          d.window, d.relative});
+                          d.window, d.relative, static_cast<int>(group)});
       }
     }
   }

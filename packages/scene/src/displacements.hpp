@@ -19,7 +19,7 @@ void check_conflicts(const Options& options, const mesh::Mesh& mesh, const Where
 void check_rigid_nodes(const Options& options, const mesh::Mesh& mesh,
                        const std::vector<int>& body_of_node, const Where& where);
 
-/// The prescribed unknowns of owned nodes.
+/// The prescribed unknowns of owned nodes; their groups are the entries.
 std::vector<assembly::Constraint> make_constraints(const Options& options, const mesh::Mesh& mesh);
 
 } // namespace abut::scene

@@ -3,9 +3,9 @@
 
 #include "abut/rigid/assign_nodes.hpp"
 #include "abut/rigid/make.hpp"
+#include "abut/scene/globals.hpp"
 #include "abut/scene/masses.hpp"
 #include "abut/scene/names.hpp"
-#include "abut/scene/results.hpp"
 #include "abut/scene/windows.hpp"
 #include "abut/solid/load_contribution.hpp"
 #include "abut/solid/reference_checks.hpp"
@@ -168,6 +168,8 @@ Scene build_scene(const Options& options, std::shared_ptr<const mesh::Mesh> shar
   s.joints = rigid::make_joints(options.joints, s.rigid_bodies, options.curves);
   s.rigid_body_of_node = rigid::assign_nodes(mesh, rigid_nodes(options, s.body_of_block), where);
   mesh.comm.together([&] { check_rigid_nodes(options, mesh, s.rigid_body_of_node, where); });
+  for (const DisplacementOptions& d : options.displacements)
+    s.supports.push_back(d.name);
   s.constraints = make_constraints(options, mesh);
   solid::BlockMaterials materials;
   for (const auto& material : s.material)

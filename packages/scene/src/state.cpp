@@ -90,6 +90,7 @@ State make_state(const Scene& m, const Vector& x, double time, const solver::Cou
   s.counters = counters;
   s.u = m.equations->nodal_values(x);
   s.reaction = m.equations->raw_residual();
+  s.supports = reactions(m, s.reaction, s.u, time);
   for (const auto& contact : m.contacts)
     s.contacts.push_back(contact->summary());
   s.rigid_bodies = m.equations->body_states();

@@ -26,6 +26,9 @@ public:
   /// stress: (elements, 6); energy: (elements)
   virtual void averages(const NodalFields& fields, const View<double>& stress,
                         const View<double>& energy) const = 0;
+  /// volume: (elements); strain: (elements, 6); stress: (elements, nodes, 6)
+  virtual void recover(const NodalFields& fields, const View<double>& volume,
+                       const View<double>& strain, const View<double>& stress) const = 0;
 };
 
 /// Displacement elements; instantiated for each cell type in a source file of its own.

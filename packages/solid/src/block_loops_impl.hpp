@@ -39,6 +39,11 @@ public:
     Kokkos::parallel_for("abut::solid::averages", Range(0, elements_.cells.size()),
                          ElementAverages<E>{elements_, fields, stress, energy});
   }
+  void recover(const NodalFields& fields, const View<double>& volume, const View<double>& strain,
+               const View<double>& stress) const override {
+    Kokkos::parallel_for("abut::solid::recover", Range(0, elements_.cells.size()),
+                         ElementRecovery<E>{elements_, fields, volume, strain, stress});
+  }
 
 private:
   E elements_;

@@ -20,7 +20,7 @@ double poisson_at_rest(const Material& material) {
 }
 
 /// The cheapest that does not lock in volume. Against bending 'enhanced' is asked for by name:
-/// under contact its corners fold before those of 'displacement' invert, and more first steps are
+/// under contact its faces bend more easily than those of 'displacement', and more first steps are
 /// cut.
 ElementFormulation automatic_formulation(CellType cell, const Material& material) {
   if (is_uncoupled(material))

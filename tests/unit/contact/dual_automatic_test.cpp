@@ -170,6 +170,7 @@ TEST_P(DualAutomatic, SmoothedIsTheTheorysTangent) {
   for (const double friction : {0.0, 0.35}) {
     ContactOptions o = options(GetParam(), friction);
     o.multipliers = Multipliers::smoothed;
+    o.weighted_gap = WeightedGap::dual; // theirs is another
     std::vector<double> tangent[2];
     for (const bool automatic : {false, true}) {
       o.tangent = automatic ? Tangent::automatic : Tangent::analytic;

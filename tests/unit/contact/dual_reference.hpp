@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "spaces/nodal_arrays.hpp"
-#include "spaces/dual_weights.hpp"
 #include "abut/contact/options.hpp"
 #include "abut/contact/point_force.hpp"
 #include "abut/fem/quadrature.hpp"
 #include "abut/mesh/surface.hpp"
+#include "spaces/dual_weights.hpp"
+#include "spaces/nodal_arrays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,9 +41,9 @@ private:
   };
   struct Point {
     Local face;
-    std::size_t in_face; ///< number on the face
-    double weight, area; ///< of the quadrature, times the reference area
-    Weights N{}, dual{}, psi{};
+    std::size_t in_face;               ///< number on the face
+    double weight, area;               ///< of the quadrature, times the reference area
+    Weights N{}, dual{}, psi{}, hat{}; ///< the latter two: of this configuration
     std::array<StoredTraction, corners_at_most> carried;
     Local facing = -1;
     double xi[2];
@@ -192,7 +192,7 @@ inline void DualReference::find(Point& p, const std::vector<double>& u) const {
   }
 }
 
-/// psi of this configuration.
+/// psi and N of this configuration.
 inline void DualReference::cover(const std::vector<double>& u) {
   std::vector<double> covered(nodes_.size(), 0.0);
   const auto corner = [&](Local f, int a) {
@@ -216,12 +216,14 @@ inline void DualReference::cover(const std::vector<double>& u) {
     }
     for (Point& p : face) {
       p.psi = whole ? p.dual : p.N;
-      for (int a : go) {
-        for (int b : stay)
-          p.psi[std::size_t(b)] += p.psi[std::size_t(a)] / double(stay.size());
-        if (!stay.empty())
-          p.psi[std::size_t(a)] = 0.0;
-      }
+      p.hat = p.N;
+      for (Weights* w : {&p.psi, &p.hat})
+        for (int a : go) {
+          for (int b : stay)
+            (*w)[std::size_t(b)] += (*w)[std::size_t(a)] / double(stay.size());
+          if (!stay.empty())
+            (*w)[std::size_t(a)] = 0.0;
+        }
     }
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i)
@@ -314,7 +316,8 @@ template <class T> std::vector<T> DualReference::residual(const std::vector<T>& 
   each([&](const Point& p, const ContactPoint& c, const auto& at, const auto& partner) {
     const Vec<T, 3> slip = objective_slip(c, partner);
     for (int a = 0; a < fem::face_corners(primary_.type[p.face]); ++a) {
-      const double w = p.area * p.psi[std::size_t(a)];
+      const bool hat = options_.weighted_gap == WeightedGap::hat;
+      const double w = p.area * (hat ? p.hat : p.psi)[std::size_t(a)];
       Means<T>& m = means[node(p, a)];
       m.area += w;
       m.gap += w * partner.gap;

@@ -13,10 +13,11 @@
 /// Two wavy surfaces of any face type that do not match, moved by hand, under the dual law.
 namespace abut::contact::testing {
 
-/// Face types of both sides and the formulation.
+/// Face types of both sides, the formulation and the averages.
 struct Faces {
   fem::FaceType primary, secondary;
   Formulation formulation;
+  WeightedGap weighted_gap = WeightedGap::dual;
 };
 
 inline std::vector<Faces> all_faces() {
@@ -29,6 +30,11 @@ inline std::vector<Faces> all_faces() {
     for (Formulation f :
          {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})
       list.push_back({p[0], p[1], f});
+  for (Formulation f :
+       {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})
+    list.push_back({fem::FaceType::quad4, fem::FaceType::tri3, f, WeightedGap::hat});
+  list.push_back(
+      {fem::FaceType::tri6, fem::FaceType::quad8, Formulation::facet_on_facet, WeightedGap::hat});
   return list;
 }
 
@@ -36,6 +42,7 @@ inline ContactOptions options(const Faces& f, double friction = 0.0) {
   ContactOptions o;
   o.penalty = 7.0;
   o.formulation = f.formulation;
+  o.weighted_gap = f.weighted_gap;
   o.friction = friction;
   o.enforcement = Enforcement::augmented_lagrangian;
   return o;

@@ -78,6 +78,22 @@ TEST(Deck, KeepsTheStructsDefaults) {
   EXPECT_TRUE(d.newton.nox.empty());
 }
 
+TEST(Deck, FurtherFieldsAreThoseNamed) {
+  const std::string before = "mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
+                             "bodies: {b: {blocks: [1], material: m}}\n";
+  const Deck none = parse_deck(before, "a.yaml");
+  EXPECT_FALSE(none.output.fields.strain || none.output.fields.nodal_stress ||
+               none.output.fields.principal_stress || none.output.fields.stress_tensor);
+  EXPECT_TRUE(none.output.history);
+  const Deck some =
+      parse_deck(before + "output: {fields: [nodal_stress, strain], history: false}\n", "a.yaml");
+  EXPECT_TRUE(some.output.fields.strain && some.output.fields.nodal_stress);
+  EXPECT_FALSE(some.output.fields.principal_stress || some.output.fields.stress_tensor);
+  EXPECT_FALSE(some.output.history);
+  EXPECT_EQ(to_yaml(parse_deck(to_yaml(some), "a.yaml")), to_yaml(some));
+  EXPECT_THAT(to_yaml(some), testing::HasSubstr("fields: [\"strain\", \"nodal_stress\"]"));
+}
+
 TEST(Deck, AWordStandsForANumberThatIsNotGiven) {
   const std::string before = "mesh: {file: a.exo}\nmaterials: {m: {young: 1, poisson: 0}}\n"
                              "bodies: {b: {blocks: [1], material: m}}\n"

@@ -98,14 +98,48 @@ TEST(AutomaticPenalty, OfARigidPrimaryIsANumber) {
             "penalty: 6  # FEBio: 0.5, from the rigid material's E and v");
 }
 
-TEST(AutomaticPenalty, IsRefusedWhereNoDeckCanSayTheSame) {
+TEST(AutomaticPenalty, OfSeveralStiffnessesIsAContactForEach) {
   auto mixed = unequal(elastic(1000), false);
   mixed[24] = "<Surface name=\"low face\"><quad4 id=\"1\">5,6,7,8</quad4><quad4 "
               "id=\"2\">15,16,17,18</quad4></Surface>";
-  EXPECT_EQ(error_with(mixed),
-            "m.feb:38: Contact/contact/auto_penalty: surface 'low face' is of several stiffnesses, "
-            "and FEBio takes the penalty of each face from its own: give a number, auto_penalty 0, "
-            "or a contact for each material");
+  const Scene scene = scene_with(mixed);
+  EXPECT_EQ(section(scene.deck, "contact"), "contact:\n"
+                                            "  touch:\n"
+                                            "    primary: \"low face_part_1\"\n"
+                                            "    secondary: up_face\n"
+                                            "    penalty_factor: 0.5\n"
+                                            "  touch_part_2:  # FEBio: touch\n"
+                                            "    primary: \"low face_part_2\"\n"
+                                            "    secondary: up_face\n"
+                                            "    penalty_factor: 0.5\n");
+  ASSERT_EQ(scene.mesh.side_sets.at("low face_part_2").size(), 1u);
+  EXPECT_EQ(scene.mesh.side_sets.at("low face_part_2")[0].block, 1);
+  EXPECT_EQ(scene.mesh.side_sets.at("low face").size(), 2u);
+}
+
+TEST(AutomaticPenalty, OfSeveralStiffnessesInTwoPasses) {
+  auto mixed = unequal(elastic(1000), false, "<two_pass>1</two_pass>");
+  mixed[24] = "<Surface name=\"low face\"><quad4 id=\"1\">5,6,7,8</quad4><quad4 "
+              "id=\"2\">15,16,17,18</quad4></Surface>";
+  EXPECT_EQ(penalty(mixed), "penalty_factor: 0.5");
+  EXPECT_EQ(penalty(mixed, "touch_part_2"), "penalty_factor: 0.5");
+  EXPECT_EQ(penalty(mixed, "touch_second_pass"),
+            "penalty_factor: 50  # FEBio: 0.5, of the primary's E, here 100 times the other's");
+}
+
+// A rigid primary beside the soft one: each of its penalties is a number.
+TEST(AutomaticPenalty, OfASurfaceThatIsRigidInPart) {
+  auto mixed = unequal("<material id=\"3\" name=\"other\" type=\"rigid body\"><E>9</E><v>0.5</v>"
+                       "</material>",
+                       false);
+  mixed[24] = "<Surface name=\"low face\"><quad4 id=\"1\">5,6,7,8</quad4><quad4 "
+              "id=\"2\">15,16,17,18</quad4></Surface>";
+  EXPECT_EQ(penalty(mixed), "penalty_factor: 0.5");
+  EXPECT_EQ(penalty(mixed, "touch_part_2"),
+            "penalty: 6  # FEBio: 0.5, from the rigid material's E and v");
+}
+
+TEST(AutomaticPenalty, IsRefusedWhereNoDeckCanSayTheSame) {
   auto rigid =
       unequal("<material id=\"3\" name=\"other\" type=\"rigid body\"><E>0</E></material>", true);
   EXPECT_EQ(error_with(rigid),

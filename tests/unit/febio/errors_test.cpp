@@ -66,9 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
                "<material id=\"1\" name=\"soft one\" type=\"neo-Hookean\"><E>10</E><v>0.5</v>"
                "</material>",
                "m.feb:5: <v>: expected a number > -1 and < 0.5, got 0.500000"},
-        Broken{2, "<febio_spec version=\"3.0\"><Module type=\"solid\"/>",
-               "m.feb:2: <febio_spec>: version '3.0': expected a file of version 4.0, as FEBio "
-               "Studio saves it"},
+        Broken{2, "<febio_spec version=\"1.2\"><Module type=\"solid\"/>",
+               "m.feb:2: <febio_spec>: version '1.2': expected a file of version 2.0, 2.5, 3.0 or "
+               "4.0"},
         Broken{3, "",
                "m.feb:2: <febio_spec>: expected an element <Control> in it or in its <step>"},
         Broken{40, "<penalty>0</penalty>", "m.feb:40: <penalty>: expected a number > 0"},
@@ -111,10 +111,11 @@ INSTANTIATE_TEST_SUITE_P(
                "</material>",
                "m.feb:5: Material/material 'soft one': type 'neo-Hokean'; valid: neo-Hookean, "
                "Mooney-Rivlin, Ogden, Ogden unconstrained, Holmes-Mow, isotropic elastic, "
-               "St.Venant-Kirchhoff, rigid body; did you mean 'neo-Hookean'?"},
-        Broken{18, "<Elements type=\"quad4\" name=\"lower\">",
-               "m.feb:18: Mesh/Elements 'lower': elements of type 'quad4' are shells, which abut "
-               "lacks; valid: hex8, hex20, hex27, tet4, tet10, penta6"},
+               "St.Venant-Kirchhoff, rigid body, incomp neo-Hookean; did you mean 'neo-Hookean'?"},
+        Broken{
+            18, "<Elements type=\"quad8\" name=\"lower\">",
+            "m.feb:18: Mesh/Elements 'lower': elements of type 'quad8' are shells, of which abut "
+            "has rigid quad4 and tri3; valid: hex8, hex20, hex27, tet4, tet10, penta6"},
         Broken{38, "<Contact><contact name=\"touch\" surface_pair=\"pair\" type=\"stucky\">",
                "m.feb:38: Contact/contact 'touch': type 'stucky'; valid: sliding-node-on-facet, "
                "sliding-facet-on-facet, sliding-elastic, tied-node-on-facet, tied-facet-on-facet, "
@@ -135,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
                "<Initial/><Physics/>",
                "m.feb:35: Constraints/constraint: type 'volume': abut has rigid_wall\n"
                "m.feb:35: Physics: not supported here; valid: Module, Globals, Material, Mesh, "
-               "MeshDomains, LoadData, Discrete, MeshData, MeshAdaptor, "
+               "MeshDomains, LoadData, Discrete, MeshAdaptor, MeshData, "
                "Boundary, Rigid, Loads, Contact, Initial, Constraints, Control, Step, Output"}));
 
 TEST(BrokenFiles, EndWithAnErrorWhereverTheyAreCut) {

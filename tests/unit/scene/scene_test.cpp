@@ -218,11 +218,11 @@ TEST(Scene, ContactAndBodyOfOneNameWriteVariablesOfTheirOwn) {
   options.displacements.erase(options.displacements.begin());
   options.contact[0].name = "lower";
   const scene::Scene s = at_rest(options, timers);
-  const std::vector<std::string> names = scene::result_names(s).global;
+  const std::vector<std::string> names = scene::result_names(s, {}).global;
   for (const char* name : {"lower_force_x", "lower_body_force_x", "lower_body_rotation_z"})
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
   const scene::State state = scene::make_state(s, Vector(s.equations->dofs().map()), 0.0, {});
-  EXPECT_EQ(scene::result_step(s, state).global.size(), names.size());
+  EXPECT_EQ(scene::result_step(s, state, {}).global.size(), names.size());
 }
 
 TEST(Scene, NamesTheOptionThatDoesNotFit) {

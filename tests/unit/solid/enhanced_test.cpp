@@ -158,17 +158,64 @@ template <class F, class M> std::array<double, 2> hourglass_range(const M& law, 
   return range;
 }
 
-// However far the element is pressed or drawn: the energy of the mean knows nothing of hourglass
-// modes, that of the modes is positive.
+// However far the element is pressed or drawn, where the law itself is stable.
 TEST(EnhancedHex8, HasNoHourglassModeWithoutStiffnessInHomogeneousStates) {
-  const Mat3 states[] = {stretches(1.0, 1.0, 1.0), stretches(1.0, 1.0, 0.2),
+  const Mat3 states[] = {stretches(1.0, 1.0, 1.0),  stretches(1.0, 1.0, 0.2),
                          stretches(1.6, 1.6, 0.39), stretches(0.5, 0.5, 0.5),
-                         stretches(0.7, 0.7, 2.0)};
+                         stretches(0.7, 0.7, 2.0),  stretches(2.0, 2.0, 2.0)};
   for (const Mat3& h : states) {
     EXPECT_GT(hourglass_range<Enhanced>(NeoHookean{0.4, 0.7}, h)[0], 0.01);
-    EXPECT_GT(hourglass_range<Enhanced>(SaintVenantKirchhoff{0.4, 0.7}, h)[0], 0.01);
+    EXPECT_GT(hourglass_range<Enhanced>(NeoHookean{0.4, 70.0}, h)[0], 0.01);
+    EXPECT_GT(hourglass_range<Enhanced>(HolmesMow{0.4, 0.3, 0.35}, h)[0], 0.01);
     EXPECT_GT(hourglass_range<Enhanced>(MooneyRivlin(1e3, 0.1, 0.1), h)[0], 0.01);
   }
+  EXPECT_GT(hourglass_range<Enhanced>(SaintVenantKirchhoff{0.4, 0.7}, stretches(1.3, 1.3, 1.3))[0],
+            0.01);
+}
+
+/// A cube under u_x = (l - 1) x + amount x z: stretched along x, by more above than below.
+void bent(double l, double amount, const Nodal& x, Nodal& u) {
+  for (int a = 0; a < 8; ++a) {
+    u[0][a] = (l - 1.0) * x[0][a] + amount * x[0][a] * x[2][a];
+    u[1][a] = u[2][a] = 0.0;
+  }
+}
+
+// Without a lateral strain (lambda is zero) W = G/2 (l^2 - 1) - G ln l of fibers, of which W'' is
+// taken: a stiffness of hourglass modes at rest would be right at l = 1 alone.
+TEST(EnhancedHex8, BendsAsItsLawWhenStretched) {
+  const double shear = 0.4;
+  for (const double l : {0.4, 1.0, 2.0}) {
+    Nodal x, u, mode;
+    box(x, {{1.0, 1.0, 1.0}});
+    bent(l, 0.0, x, u);
+    bent(1.0, 1.0, x, mode);
+    const Matrix k = tangent<Enhanced>(NeoHookean{shear, 0.0}, x, u);
+    double stiffness = 0.0;
+    for (int m = 0; m < size; ++m)
+      for (int n = 0; n < size; ++n)
+        stiffness += mode[m % 3][m / 3] * k[std::size_t(m)][std::size_t(n)] * mode[n % 3][n / 3];
+    EXPECT_NEAR(stiffness, shear * (1.0 + 1.0 / (l * l)) / 12.0, 1e-12) << l;
+  }
+}
+
+// At an amount of 2 the lower edge along x has no length.
+TEST(EnhancedHex8, ResistsFoldingOfItsCorners) {
+  const NeoHookean law{0.4, 0.7};
+  Nodal x, u, r;
+  box(x, {{1.0, 1.0, 1.0}});
+  double force[2] = {};
+  for (const int k : {0, 1}) {
+    const double amount = k == 0 ? 1.5 : 1.99;
+    bent(1.0, amount, x, u);
+    ASSERT_GT(Enhanced::residual<CellType::hex8>(law, x, u, r), 0.0);
+    force[k] = std::abs(r[0][1]);
+  }
+  EXPECT_GT(force[0], 0.1);
+  EXPECT_GT(force[1], 100.0 * force[0]);
+  bent(1.0, 2.0001, x, u);
+  EXPECT_LT(Enhanced::residual<CellType::hex8>(law, x, u, r), 0.0);
+  EXPECT_GT(Displacement::residual<CellType::hex8>(law, x, u, r), 0.0); // sees it at points alone
 }
 
 // The stress of the element is the mean of what its nodal forces hold in balance.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abut/solid/element_kernel.hpp"
-#include "abut/solid/enhanced.hpp"
+#include "abut/solid/enhanced_tangent.hpp"
 #include "abut/solid/mean_dilatation.hpp"
 
 /// Elements of each formulation from nodal positions and displacements alone.

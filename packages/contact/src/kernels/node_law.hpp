@@ -107,7 +107,7 @@ struct GatherNodes {
       const SiteReading& r = points.reading(point);
       if (!r.covered)
         continue;
-      const double weight = primary.area(point) * nodes.psi(place);
+      const double weight = primary.area(point) * nodes.average(place);
       sum[sum_area] += weight;
       sum[sum_gap] += weight * (r.gap - r.eased); // what is eased at a node is its own
       // Positive weights: the penalty of a face that meets several must not turn negative.

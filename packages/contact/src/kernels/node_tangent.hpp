@@ -34,7 +34,7 @@ struct AddNodeRows {
       if (!point_rows(c, primary.now(face), y, terms.law.friction > 0.0, r))
         continue; // the tangent of the pair tells of it
       for (int a = 0; a < nodes.corners(face); ++a)
-        if (nodes.psi_at(p, a) != 0.0 && position(i, 0, a) >= 0)
+        if ((nodes.psi_at(p, a) != 0.0 || nodes.average_at(p, a) != 0.0) && position(i, 0, a) >= 0)
           add_point(i, p, a, c, r);
     }
   }
@@ -53,15 +53,14 @@ private:
   KOKKOS_INLINE_FUNCTION void add_point(Local i, Local p, int a, const ContactPoint& c,
                                         const PointRows& r) const {
     const bool friction = terms.law.friction > 0.0;
-    const double psi = nodes.psi_at(p, a);
+    const double psi = nodes.psi_at(p, a), mean = primary.area(p) * nodes.average_at(p, a);
     const NodeState& n = nodes.state(nodes.node(pairs.face(i), a));
     const NodeFrame frame{n.area,           n.normal_sum, n.reading.penalty * n.site.share,
                           n.reading.normal, n.site.trial, n.site.out_of_plane};
     const StoredTraction stored = friction ? nodes.carried(p * max_corners + a) : StoredTraction();
     const TurnedColumns turned(stored, r.primary, turned_traction(stored, r.primary.at));
     for (int q = 0; q < r.columns; ++q)
-      add_row(rows.row(position(i, q, a)),
-              node_row(c, r, q, psi, primary.area(p) * psi, friction, frame, &turned));
+      add_row(rows.row(position(i, q, a)), node_row(c, r, q, psi, mean, friction, frame, &turned));
   }
 
   /// Points of several pairs have one node.

@@ -66,7 +66,8 @@ std::vector<PointRecord> records(const InterfaceData& data) {
     list.push_back({data.surface().face_id[f], p - primary.first_point(f),
                     data.place.origin() + primary.at(p).x, state.site.status(), state.gap,
                     data.points.history(p).path, cauchy * pressure, cauchy * norm(shear),
-                    cauchy * (pressure * state.normal + shear), data.points.iterate(p).site.flips});
+                    cauchy * (pressure * state.normal + shear), data.points.iterate(p).site.flips,
+                    state.facing >= 0});
   }
   return list;
 }

@@ -10,7 +10,8 @@ namespace {
 
 /// Sums and extremes over the points of one rank.
 struct Tally {
-  enum { force, area = 3, normal, tangential, energy, softness, dissipation, sums };
+  enum { force, moment = 3, area = 6, current, sunk, seen, open, integrals };
+  enum { normal = integrals, tangential, energy, softness, dissipation, sums };
   enum { pressure, penetration, relative, gap, slip, overlap, rise, shift, nearness, extremes };
   enum { points, paired, active, stick, slipping, flips, shifted, counts };
   double sum[sums] = {};
@@ -65,17 +66,24 @@ void add_pressed(const InterfaceData& data, Local i, Tally& t) {
   const double measure = data.measure(i), weight = data.terms.share * measure;
   t.count[Tally::active] += 1.0;
   t.count[s.site.status() == Status::stick ? Tally::stick : Tally::slipping] += 1.0;
-  for (int k = 0; k < 3; ++k)
-    t.sum[k] += weight * s.traction[k];
+  const Vec3 force = weight * s.traction;
+  const Vec3 moment = cross(data.place.origin() + data.primary().at(i).x, force);
+  for (int k = 0; k < 3; ++k) {
+    t.sum[Tally::force + k] += force[k];
+    t.sum[Tally::moment + k] += moment[k];
+  }
+  const double current = data.primary().current_area(i);
   t.sum[Tally::area] += data.primary().area(i);
+  t.sum[Tally::current] += current;
   t.sum[Tally::tangential] += weight * norm(s.site.shear);
   t.sum[Tally::normal] += weight * s.site.pressure;
   const Springs stretched = data.nodal ? node_springs(data, i) : point_springs(data, s);
   t.sum[Tally::energy] += 0.5 * weight * stretched.energy;
   if (data.settings.modulus > 0.0)
     t.sum[Tally::softness] += 0.5 * weight * stretched.softness;
-  t.raise(Tally::pressure, s.site.pressure * measure / data.primary().current_area(i));
+  t.raise(Tally::pressure, s.site.pressure * measure / current);
   const double penetration = -data.points.net_gap(i);
+  t.sum[Tally::sunk] += current * penetration;
   t.raise(Tally::penetration, penetration);
   t.raise(Tally::relative, penetration / data.primary().size(data.primary().face(i)));
 }
@@ -105,6 +113,8 @@ Tally tally(const InterfaceData& data) {
     t.count[Tally::paired] += 1.0;
     t.raise(Tally::nearness, -s.gap);
     t.raise(Tally::gap, s.gap);
+    t.sum[Tally::seen] += data.primary().current_area(i);
+    t.sum[Tally::open] += data.primary().current_area(i) * s.gap;
     if (s.site.pressed())
       add_pressed(data, i, t);
   }
@@ -139,8 +149,12 @@ ContactSummary summarize(const InterfaceData& data) {
   largest[Tally::extremes] = largest_nodal_pressure(data);
   data.comm.max(largest, Tally::extremes + 1);
   ContactSummary s;
-  std::copy_n(t.sum, 3, s.force.begin());
+  std::copy_n(t.sum + Tally::force, 3, s.force.begin());
+  std::copy_n(t.sum + Tally::moment, 3, s.moment.begin());
   s.area = t.sum[Tally::area];
+  s.current_area = t.sum[Tally::current];
+  s.mean_penetration = s.current_area > 0.0 ? t.sum[Tally::sunk] / s.current_area : 0.0;
+  s.mean_gap = t.sum[Tally::seen] > 0.0 ? t.sum[Tally::open] / t.sum[Tally::seen] : 0.0;
   s.tangential = t.sum[Tally::tangential];
   s.penalty_energy = t.sum[Tally::energy];
   s.normal = t.sum[Tally::normal];

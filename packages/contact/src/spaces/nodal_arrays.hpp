@@ -39,8 +39,8 @@ struct NodalArrays {
   View<char> prescribed;       ///< (N) it cannot move along the normal
   View<char> merged;           ///< (N) its function is handed on now
   View<double> hat, dual;      ///< corner functions N and psi of each face alone
-  View<double> psi, field;     ///< the same now, with cover and merging: psi averages and exerts,
-                               ///< N interpolates
+  View<double> psi, field;     ///< the same now, with cover and merging: psi exerts, N interpolates
+  View<double> average;        ///< one of the two: of gap and slip
   View<double> take;           ///< (I,max_corners,max_corners) share of N_a that b has now
   View<StoredTraction> carried, carried_converged; ///< shear multiplier of each corner on the axes
                                                    ///< of the point; empty without friction
@@ -54,9 +54,12 @@ struct NodalArrays {
   }
   KOKKOS_INLINE_FUNCTION int corners(Local face) const { return node(face, 3) < 0 ? 3 : 4; }
   KOKKOS_INLINE_FUNCTION const SiteState& site(Local n) const { return state(n).site; }
-  /// Value of psi, or of the interpolating function, of a corner of the point's face.
+  /// Value of psi, or of the averaging or interpolating function, of a corner of the point's face.
   KOKKOS_INLINE_FUNCTION double psi_at(Local point, int a) const {
     return psi(point * max_corners + a);
+  }
+  KOKKOS_INLINE_FUNCTION double average_at(Local point, int a) const {
+    return average(point * max_corners + a);
   }
   KOKKOS_INLINE_FUNCTION double field_at(Local point, int a) const {
     return field(point * max_corners + a);

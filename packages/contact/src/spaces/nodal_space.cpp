@@ -10,7 +10,7 @@
 namespace abut::contact {
 
 NodalSpace::NodalSpace(const Comm& comm, const CornerSpace& corners, const PrimaryView& primary,
-                       double soft_modulus, bool friction)
+                       WeightedGap weighted_gap, double soft_modulus, bool friction)
     : comm_(comm), corners_(corners), friction_(friction) {
   const std::size_t faces = std::size_t(primary.faces()), points = std::size_t(primary.points()),
                     nodes = std::size_t(corners.nodes());
@@ -28,6 +28,7 @@ NodalSpace::NodalSpace(const Comm& comm, const CornerSpace& corners, const Prima
   a.dual = make_view<double>("abut::contact::psi_whole", points * max_corners);
   a.psi = make_view<double>("abut::contact::psi", points * max_corners);
   a.field = make_view<double>("abut::contact::field", points * max_corners);
+  a.average = weighted_gap == WeightedGap::hat ? a.field : a.psi;
   a.take = make_view<double>("abut::contact::take", faces * max_corners * max_corners);
   const std::size_t carried = friction ? points * max_corners : 0;
   a.carried = make_view<StoredTraction>("abut::contact::carried", carried);

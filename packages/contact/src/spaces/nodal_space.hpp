@@ -16,15 +16,15 @@ namespace abut::contact {
 ///   gap_I = sum w psi_I gap / A_I,  A_I = sum w psi_I,  p_I = <lambda_I - eps_I gap_I>,
 ///   p(q) = sum_I psi_I(q) p_I
 ///
-/// Sums run over points that have a partner, w is the reference area. On faces where some points
-/// have none N takes the place of psi, and a node with little cover hands its function on to the
-/// other corners of each of its faces.
+/// With WeightedGap::hat N takes the place of psi in the averages. Sums run over points that have a
+/// partner, w is the reference area. On faces where some points have none N takes the place of psi,
+/// and a node with little cover hands its function on to the other corners of each of its faces.
 class NodalSpace {
 public:
   /// soft_modulus: of the spring that decides between stick and slip, 0: the return map decides
   /// [pressure]. corners must outlive the space. Collective.
   NodalSpace(const Comm& comm, const CornerSpace& corners, const PrimaryView& primary,
-             double soft_modulus, bool friction);
+             WeightedGap weighted_gap, double soft_modulus, bool friction);
 
   /// (N) those that cannot move along the normal hand their functions on.
   void set_prescribed(const std::vector<char>& prescribed);

@@ -47,6 +47,14 @@ template <class V> void describe_enforcement(V& v, contact::ContactOptions& o) {
             {"dual", Multipliers::dual,
              "at the corner nodes of the primary, which hold the law of weighted gaps"}},
            "where the multipliers of augmented_lagrangian live");
+  using contact::WeightedGap;
+  v.choice("weighted_gap", o.weighted_gap,
+           {{"dual", WeightedGap::dual,
+             "the functions of the tractions, partly negative: symmetric without friction"},
+            {"hat", WeightedGap::hat,
+             "never negative: no open gap presses, first steps onto round bodies converge; the "
+             "edge of contact is softer"}},
+           "what gap and slip of a node are averaged with, multipliers: dual only");
   using contact::AugmentationRule;
   v.choice("augmentation", o.augmentation,
            {{"automatic", AugmentationRule::automatic,

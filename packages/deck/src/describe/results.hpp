@@ -4,7 +4,10 @@
 #include "abut/deck/deck.hpp"
 #include "rule.hpp"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace abut::deck {
 
@@ -14,6 +17,12 @@ template <class V> void describe(V& v, io::CheckpointOptions& o) {
              positive("minutes"));
   v.at_least_one({"every", "minutes"});
 }
+
+constexpr std::pair<const char*, bool io::FieldOptions::*> words_of_fields[] = {
+    {"stress_tensor", &io::FieldOptions::stress_tensor},
+    {"principal_stress", &io::FieldOptions::principal_stress},
+    {"strain", &io::FieldOptions::strain},
+    {"nodal_stress", &io::FieldOptions::nodal_stress}};
 
 template <class V> void describe(V& v, io::OutputOptions& o) {
   using io::Files;
@@ -25,6 +34,17 @@ template <class V> void describe(V& v, io::OutputOptions& o) {
             {"one", Files::one, "one file"},
             {"per_rank", Files::per_rank, "one file for each rank"}},
            "how results are split into files");
+  std::vector<std::string> fields;
+  for (const auto& [word, wanted] : words_of_fields)
+    if (o.fields.*wanted)
+      fields.push_back(word);
+  v.words("fields", fields, {"stress_tensor", "principal_stress", "strain", "nodal_stress"},
+          "further fields, beside those of every run (docs/user/output.md)");
+  for (const auto& [word, wanted] : words_of_fields)
+    o.fields.*wanted = std::find(fields.begin(), fields.end(), word) != fields.end();
+  v.optional("history", o.history,
+             "write a table of forces, energies and the like with a row for each converged step, "
+             "NAME.history.csv");
   v.optional("points", o.points, "write a table of all contact points, NAME.points.csv");
   v.optional("every", o.every, "write every n-th converged step; the last one always",
              at_least(1.0, "1"));

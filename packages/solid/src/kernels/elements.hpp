@@ -4,18 +4,20 @@
 #include "abut/core/scatter.hpp"
 #include "abut/solid/cell_arrays.hpp"
 #include "abut/solid/element_kernel.hpp"
-#include "abut/solid/enhanced.hpp"
+#include "abut/solid/enhanced_tangent.hpp"
+#include "abut/solid/linear_fit.hpp"
 #include "abut/solid/mean_dilatation.hpp"
 
 /// Elements of one cell type, formulation and material: gather, evaluate, scatter.
 ///
 /// Each kind of elements holds what kernels read of the elements of a block, and gives element e's
-/// residual, tangent and averages as element_kernel.hpp says. Copied by value; arrays are shared.
+/// residual, tangent and averages as element_kernel.hpp says, its points as point_values.hpp does.
+/// Copied by value; arrays are shared.
 namespace abut::solid {
 
 /// Elements of the shape functions; dilated: with a mean dilatation.
 template <fem::CellType C, class M, bool dilated> struct PointElements {
-  static constexpr int nodes = ReferenceCell<C>::nodes;
+  static constexpr int nodes = ReferenceCell<C>::nodes, points = ReferenceCell<C>::points;
 
   CellArrays cells;
   View<const ReferenceCell<C>> table; ///< one
@@ -46,12 +48,23 @@ template <fem::CellType C, class M, bool dilated> struct PointElements {
     else
       element_averages<C>(table(0), material, x, u, stress, energy);
   }
+  /// at: their reference positions.
+  KOKKOS_INLINE_FUNCTION void values(const double (&x)[3][nodes], const double (&u)[3][nodes],
+                                     Local, PointValues<points>& values, Vec3 (&at)[points]) const {
+    if constexpr (dilated)
+      mean_dilatation_points<C>(table(0), material, x, u, values);
+    else
+      element_points<C>(table(0), material, x, u, values);
+    for (int p = 0; p < points; ++p)
+      for (int i = 0; i < 3; ++i)
+        at[p][i] = nodal_sum(x[i], table(0).N[p]);
+  }
 };
 template <fem::CellType C, class M> using DisplacementElements = PointElements<C, M, false>;
 template <fem::CellType C, class M> using DilatedElements = PointElements<C, M, true>;
 
 template <class M> struct EnhancedElements {
-  static constexpr int nodes = EnhancedReference::nodes;
+  static constexpr int nodes = EnhancedReference::nodes, points = 1;
 
   CellArrays cells;
   View<const EnhancedReference> reference; ///< (elements)
@@ -66,6 +79,11 @@ template <class M> struct EnhancedElements {
   template <class U>
   KOKKOS_INLINE_FUNCTION void averages(Local e, const U& u, double* stress, double& energy) const {
     enhanced_averages(reference(e), material, u, stress, energy);
+  }
+  KOKKOS_INLINE_FUNCTION void values(const double (&)[3][nodes], const double (&u)[3][nodes],
+                                     Local e, PointValues<1>& values, Vec3 (&at)[1]) const {
+    enhanced_points(reference(e), material, u, values);
+    at[0] = Vec3::zero();
   }
 };
 
@@ -140,6 +158,32 @@ template <class E> struct ElementAverages {
     double u[3][E::nodes];
     elements.cells.displacements(e, fields, u);
     elements.averages(e, u, &stress(voigt_size * e), energy(e));
+  }
+};
+
+template <class E> struct ElementRecovery {
+  E elements;
+  NodalFields fields;
+  View<double> volume; ///< (elements) reference
+  View<double> strain; ///< (elements, 6) averaged over it
+  View<double> stress; ///< (elements, nodes, 6) of the linear fit
+
+  KOKKOS_INLINE_FUNCTION void operator()(Local e) const {
+    double x[3][E::nodes], u[3][E::nodes];
+    elements.cells.reference(e, x);
+    elements.cells.displacements(e, fields, u);
+    PointValues<E::points> values;
+    Vec3 at[E::points];
+    elements.values(x, u, e, values, at);
+    const LinearFit fit(values, at);
+    volume(e) = fit.volume();
+    fit.at_nodes(values, at, values.stress, x, &stress(voigt_size * E::nodes * e));
+    for (int v = 0; v < voigt_size; ++v) {
+      double& mean = strain(voigt_size * e + v) = 0.0;
+      for (int p = 0; p < E::points; ++p)
+        if (values.volume[p] > 0.0)
+          mean += values.volume[p] / fit.volume() * values.strain[p][v];
+    }
   }
 };
 

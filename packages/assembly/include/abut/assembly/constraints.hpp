@@ -19,6 +19,7 @@ struct Constraint {
   std::function<double(double)> value;
   Window window{};       ///< outside of it the unknown is free
   bool relative = false; ///< the value counts from that of the last state before the window
+  int group = 0;         ///< of constraints that count as one in reports
 };
 
 /// The scalar rows that are prescribed, when and how: of nodes, and of what has rows of its own.

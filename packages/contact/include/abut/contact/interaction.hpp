@@ -126,6 +126,7 @@ public:
   std::vector<PointRecord> records() const;
   std::vector<ClosedPoint> closed() const;
   std::vector<Site> sites() const; ///< points (I,P), or nodes
+  double friction() const;         ///< coefficient at the last evaluated load parameter
 
 private:
   const Interaction::Parts& parts_;

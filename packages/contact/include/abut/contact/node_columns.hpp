@@ -90,14 +90,15 @@ inline KOKKOS_FUNCTION bool point_rows(const ContactPoint& c, const Vec3* x, con
 
 /// State of a node of the law that the rows of its trial traction need.
 struct NodeFrame {
-  double area = 0.0, normal_sum = 0.0, stiffness = 0.0; ///< A, |sum w psi c|, eps theta
+  double area = 0.0, normal_sum = 0.0, stiffness = 0.0; ///< A, |sum w c|, eps theta
   Vec3 normal, trial;
   double out_of_plane = 0.0; ///< n . z, z before projection
 };
 
-/// Row of column node q for a corner with the function psi at the point; mean: psi times the
-/// reference area. carried: the corner's stored shear multiplier, turned: its derivatives, read
-/// with friction. With z = (1/A) sum w psi (R lambda - eps theta r), m = sum w psi c, n = m/|m|,
+/// Row of column node q for a corner with the function psi at the point; mean: the averaging
+/// function, psi or N, times the reference area: the weight in what follows. carried: the corner's
+/// stored shear multiplier, turned: its derivatives, read with friction. With z = (1/A) sum w (R
+/// lambda - eps theta r), m = sum w c, n = m/|m|,
 ///   D trial = P Dz - (n (x) trial + (n . z) I) P Dm/|m|,  P = I - n (x) n.
 inline KOKKOS_FUNCTION NodeRow node_row(const ContactPoint& c, const PointRows& r, int q,
                                         double psi, double mean, bool friction,

@@ -63,6 +63,12 @@ enum class Multipliers {
   dual,      ///< at the corner nodes, which hold the law: weighted gaps go to zero
 };
 
+/// What gap and slip of a node of `dual` multipliers are averaged with. docs/theory/multipliers.md
+enum class WeightedGap {
+  dual, ///< psi, as tractions are: symmetric; where the gap is curved it closes before it has to
+  hat,  ///< N, never negative: no open gap presses, cold steps converge; nonsymmetric
+};
+
 /// When multipliers change.
 enum class Uzawa {
   nested,      ///< after each solve of a step, until the tolerances hold
@@ -93,6 +99,7 @@ struct ContactOptions {
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::automatic;
+  WeightedGap weighted_gap = WeightedGap::dual;
   AugmentationRule augmentation = AugmentationRule::automatic;
   Uzawa uzawa = Uzawa::nested;
 

@@ -27,6 +27,7 @@ struct Settings {
   Enforcement enforcement = Enforcement::penalty;
   Tangent tangent = Tangent::analytic;
   Multipliers multipliers = Multipliers::per_point; ///< never automatic
+  WeightedGap weighted_gap = WeightedGap::dual;     ///< of a nodal law
   Uzawa uzawa = Uzawa::nested;
   bool anderson = false; ///< the next multipliers are made of several solves
 
@@ -83,6 +84,8 @@ struct Settings {
   bool ray() const { return formulation == Formulation::sliding_elastic; }
   bool augmented() const { return enforcement == Enforcement::augmented_lagrangian; }
   bool nodal_law() const { return multipliers == Multipliers::dual; } ///< the law holds at nodes
+  /// Gaps and forces of the nodes do not go by the same functions.
+  bool nonsymmetric_nodes() const { return nodal_law() && weighted_gap == WeightedGap::hat; }
   bool anchors() const { return tied || sticky; } ///< points stay with one place without friction
   /// Points hold an anchor of the secondary, with or without friction.
   bool anchored_map() const { return anchors() || friction_map != FrictionMap::incremental; }

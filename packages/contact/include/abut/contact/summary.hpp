@@ -11,22 +11,30 @@
 /// What an interface shows of its present state.
 namespace abut::contact {
 
-/// What one contact interface carries, over all ranks.
-struct ContactSummary {
+/// What an interface carries in all, and means over it.
+struct ContactIntegrals {
+  std::array<double, 3> force{};  ///< on the primary surface [force]
+  std::array<double, 3> moment{}; ///< of that about the origin [force length]
+  double normal = 0.0;            ///< integral of the pressure [force]
+  double tangential = 0.0;        ///< integral of the size of the tangential traction [force]
+  double area = 0.0;              ///< reference area of active points [length^2]
+  double current_area = 0.0;      ///< of active points [length^2]
+  double mean_penetration = 0.0;  ///< of active points, by their current area [length]
+  double mean_gap = 0.0;          ///< of points with a partner, likewise [length]
+};
+
+/// What one contact interface carries and how it stands, over all ranks.
+struct ContactSummary : ContactIntegrals {
   Global active_points = 0, stick_points = 0, slip_points = 0;
   Global flips = 0;                ///< changes of status in the last step, over all points
-  std::array<double, 3> force{};   ///< on the primary surface [force]
   double max_pressure = 0.0;       ///< of the nodal pressure; Cauchy [pressure]
   double max_point_pressure = 0.0; ///< of the points' pressure; Cauchy [pressure]
   double max_penetration = 0.0;    ///< [length]
   double max_penetration_over_face_size = 0.0;
   double min_gap = 0.0, max_gap = 0.0; ///< over points with a partner [length]
   Global points = 0, paired_points = 0;
-  double area = 0.0;           ///< reference area of active points [length^2]
-  double tangential = 0.0;     ///< integral of the size of the tangential traction [force]
   double max_slip = 0.0;       ///< longest way slipped since the start [length]
   double penalty_energy = 0.0; ///< in the springs of penalty [energy]
-  double normal = 0.0;         ///< integral of the pressure [force]
   /// Half the work of the present tractions over what they leave open: penetration and, without
   /// multipliers, motion in stick. By penalty alone it is the energy of those springs. 0 between
   /// rigid bodies, whose only stiffness the penalty is [energy]
@@ -81,6 +89,7 @@ struct PointRecord {
   double pressure, shear; ///< Cauchy [pressure]
   Vec3 traction;          ///< Cauchy [pressure]
   int flips;
+  bool paired; ///< it has a partner
 };
 
 } // namespace abut::contact

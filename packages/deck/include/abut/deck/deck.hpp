@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/audit/options.hpp"
 #include "abut/core/comm.hpp"
 #include "abut/deck/value.hpp"
 #include "abut/io/options.hpp"
@@ -102,6 +103,7 @@ struct Deck : scene::Options {
   MeshOptions mesh;
   solver::NewtonOptions newton;
   solver::LinearOptions linear;
+  audit::AuditOptions audit;
   io::OutputOptions output;
   ModelCheck check = ModelCheck::none;
   std::vector<VerifyOptions> verify;

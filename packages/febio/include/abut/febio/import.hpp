@@ -16,9 +16,10 @@ struct Scene {
   Report report;
 };
 
-/// Reads a FEBio file, specification 4.0, solid mechanics. `file` is its name in messages. Throws
-/// InputError "FILE:LINE: <element>: ..." for text that is not such a file (not XML, an unknown or
-/// repeated id, a wrong number of nodes, ...). What is merely not supported is refused in `report`.
+/// Reads a FEBio file of specification 2.0 to 4.0, solid mechanics. `file` is its name in messages.
+/// Throws InputError "FILE:LINE: <element>: ..." for text that is not such a file (not XML, an
+/// unknown or repeated id, a wrong number of nodes, ...). What is merely not supported is refused
+/// in `report`.
 Model read_model(const std::string& text, const std::string& file, Report& report);
 
 /// Mesh and deck for a model; the deck names the mesh NAME.exo and its results NAME_results.

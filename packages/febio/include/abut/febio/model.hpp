@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// A FEBio model (specification 4.0) as plain data, in the words and units of its file. `line` is
-/// where an item stands in the file.
+/// A FEBio model, as specification 4.0 has it, as plain data, in the words and units of its file.
+/// `line` is where an item stands in the file.
 namespace abut::febio {
 
 /// A number, times a load curve where one is named.
@@ -30,11 +30,14 @@ struct Value {
 
 struct Material {
   std::string name, type;
+  std::string id; ///< by which a rigid body may be called too
   int line = 0;
   std::map<std::string, double> numbers; ///< E, v, c1, ... as named in the file, defaults put in
   std::optional<Vec3> center_of_mass;    ///< of a rigid body
 
   bool is_rigid() const { return type == "rigid body"; }
+  /// Also the neo-Hookean one that is uncoupled, which is that without c2.
+  bool is_mooney_rivlin() const { return type == "Mooney-Rivlin" || type == "incomp neo-Hookean"; }
 };
 
 /// An <Elements> section: a domain of one material.
@@ -46,6 +49,8 @@ struct Domain {
   std::vector<int> lines;    ///< (elements)
   std::vector<Global> nodes; ///< (elements, nodes per cell) node ids in the order of Exodus II
   std::string material;      ///< from MeshDomains
+  bool is_shell = false;     ///< in the file, and rigid; the last half of the nodes are the shell's
+  double thickness = 0.0;    ///< of a shell [length]
 };
 
 struct NodeSet {

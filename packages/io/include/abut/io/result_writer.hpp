@@ -29,7 +29,8 @@ std::string part_suffix(int part);
 
 /// Writes a mesh and time steps as Exodus II: one file STEM.exo in the order of the input, or one
 /// per rank, STEM.exo.RANKS.RANK, with number maps that say how they join; further parts of a run
-/// STEM.exo-s002 ... All members are collective, also construction. The files are readable after
+/// STEM.exo-s002 ... A set that has the name of a block or of a side set is called NAME_faces or
+/// NAME_nodes there. All members are collective, also construction. The files are readable after
 /// each step.
 class ResultWriter {
 public:

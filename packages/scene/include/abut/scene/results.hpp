@@ -6,12 +6,9 @@
 
 namespace abut::scene {
 
-/// The fields of the outside contract (Exodus output).
-io::ResultNames result_names(const Scene& scene);
-/// Throws InputError with where(key) when two contacts, rigid bodies or joints would write one
-/// variable, or one too long a name.
-void require_own_names(const Scene& scene, const Where& where);
+/// The fields of the outside contract (Exodus output), and those of `further` behind them.
+io::ResultNames result_names(const Scene& scene, const io::FieldOptions& further);
 /// Their values. Collective.
-io::ResultStep result_step(const Scene& scene, const State& state);
+io::ResultStep result_step(const Scene& scene, const State& state, const io::FieldOptions& further);
 
 } // namespace abut::scene

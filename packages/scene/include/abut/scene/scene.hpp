@@ -30,7 +30,8 @@ struct Scene {
   std::vector<rigid::Body> rigid_bodies; ///< in the order of the options
   std::vector<rigid::Joint> joints;      ///< in the order of the options
   std::vector<int> rigid_body_of_node;   ///< (N) index of the rigid body it moves with, or -1
-  std::vector<assembly::Constraint> constraints;
+  std::vector<std::string> supports;     ///< entries of Options::displacements
+  std::vector<assembly::Constraint> constraints; ///< their groups are supports
   std::vector<std::shared_ptr<solid::SolidContribution>> solids;
   std::vector<std::shared_ptr<contact::Interaction>> contacts;
   std::shared_ptr<solid::InertiaContribution> inertia; ///< null without dynamics

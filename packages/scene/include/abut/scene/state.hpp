@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/audit/findings.hpp"
+#include "abut/scene/reactions.hpp"
 #include "abut/scene/scene.hpp"
 #include "abut/solid/element_fields.hpp"
 #include "abut/solver/load_stepping.hpp"
@@ -25,11 +27,13 @@ struct Energy {
 struct State {
   double time = 0.0;
   solver::Counters counters;
-  std::vector<double> u;        ///< (N, 3) displacement of local nodes
-  std::vector<double> reaction; ///< (owned rows, 3) force of supports on the body
+  std::vector<double> u;          ///< (N, 3) displacement of local nodes
+  std::vector<double> reaction;   ///< (owned rows, 3) force of supports on the body
+  std::vector<Reaction> supports; ///< of Scene::supports
   std::vector<contact::ContactSummary> contacts;
   std::vector<solid::ElementFields> elements; ///< per block; empty for rigid ones
   Energy energy;
+  audit::Measures audit;                      ///< of the last step that was looked at; 0: none
   std::vector<rigid::BodyState> rigid_bodies; ///< of Scene::rigid_bodies
   std::vector<rigid::JointState> joints;      ///< of Scene::joints
   // Of dynamics, else empty:

@@ -12,20 +12,22 @@ using HexTable = ReferenceCell<fem::CellType::hex8>;
 /// The twelve hourglass displacements are a vector for each of h = eta zeta, zeta xi, xi eta and
 /// xi eta zeta.
 constexpr int hourglasses = 4;
-constexpr int hourglass_pairs = hourglasses * (hourglasses + 1) / 2;
+constexpr int hourglass_numbers = 3 * hourglasses; ///< of modes: x, y, z of the first, ...
 
-/// Place of the pair a <= b among the pairs (0,0), (0,1), ... (1,1), ...
-KOKKOS_INLINE_FUNCTION constexpr int hourglass_pair(int a, int b) {
-  return a * (2 * hourglasses - 1 - a) / 2 + b;
-}
+/// Share of the volume at the points beside the mean; strains there are those of the points of
+/// HexTable divided by its square root, so that their squares keep their integral. With a third,
+/// strains that are linear in the cell are those at its corners.
+constexpr double corner_share = 1.0 / 3.0;
 
 struct EnhancedReference {
   static constexpr int nodes = HexTable::nodes;
+  static constexpr int points = HexTable::points;
 
   double volume;
-  double gradient[3][nodes];               ///< means of dN_a/dX_i over the volume
-  double hourglass[hourglasses][nodes];    ///< sum over nodes of these times u is q, the amplitudes
-  double stiffness[hourglass_pairs][3][3]; ///< K of the energy q K q / 2 [force/length]
+  double gradient[3][nodes];            ///< means of dN_a/dX_i over the volume
+  double hourglass[hourglasses][nodes]; ///< sum over nodes of these times u is q, the amplitudes
+  double share[points];                 ///< volume at the points beside the mean
+  double strain[points][voigt_size][hourglass_numbers]; ///< components of E (not doubled) by c
 };
 
 /// Modes of strain without a mean: hourglass ones, three incompatible displacements 1 - xi_k^2 and
@@ -63,13 +65,32 @@ struct EnhancedModes {
     }
   }
 
-  /// Leaves in the first rows the stiffness against the hourglass modes when all others are free.
-  KOKKOS_INLINE_FUNCTION void condense() {
+  /// Component v of the strain of all modes for one of the hourglass modes.
+  KOKKOS_INLINE_FUNCTION static double strain(int v, int mode, const double (&g)[fields][3],
+                                              const double (&dilatation)[hourglasses],
+                                              const double (&amplitude)[size][compatible]) {
+    const int i = voigt_row[v], j = voigt_column[v];
+    double e = 0.0;
+    for (int m = 0; m < fields; ++m)
+      e += 0.5 * (amplitude[3 * m + i][mode] * g[m][j] + amplitude[3 * m + j][mode] * g[m][i]);
+    for (int s = 0; i == j && s < hourglasses; ++s)
+      e += amplitude[3 * fields + s][mode] * dilatation[s];
+    return e;
+  }
+
+  /// All modes' amplitudes by those of the hourglass modes when the others are free.
+  KOKKOS_INLINE_FUNCTION void relax(double (&amplitude)[size][compatible]) {
     for (int last = size - 1; last >= compatible; --last)
-      for (int m = 0; m < last; ++m) {
+      for (int m = compatible; m < last; ++m) {
         const double factor = k[m][last] / k[last][last];
         for (int n = 0; n < last; ++n)
           k[m][n] -= factor * k[last][n];
+      }
+    for (int m = 0; m < size; ++m)
+      for (int c = 0; c < compatible; ++c) {
+        amplitude[m][c] = m == c ? 1.0 : 0.0;
+        for (int n = 0; m >= compatible && n < m; ++n)
+          amplitude[m][c] -= k[m][n] * amplitude[n][c] / k[m][m];
       }
   }
 };
@@ -91,17 +112,21 @@ KOKKOS_INLINE_FUNCTION void hourglass_patterns(double (&xi)[3][8], double (&h)[h
 /// beside them incompatible modes (Taylor, Beresford and Wilson, Int. J. Numer. Methods Eng. 10
 /// (1976) 1211), which relieve bending, and changes of volume, so that none is left but the mean.
 /// to_center: derivatives dX/dxi at the center; mean: of the gradients of h.
-KOKKOS_INLINE_FUNCTION void add_hourglass_stiffness(const HexTable& cell, const double (&x)[3][8],
-                                                    const LameConstants& law, const Mat3& to_center,
-                                                    const double (&mean)[hourglasses][3],
-                                                    EnhancedModes& modes) {
+KOKKOS_INLINE_FUNCTION void set_hourglass_strains(const HexTable& cell, const double (&x)[3][8],
+                                                  const LameConstants& law, const Mat3& to_center,
+                                                  const double (&mean)[hourglasses][3],
+                                                  EnhancedReference& reference) {
+  constexpr int points = HexTable::points;
   double xi[3][8], h[hourglasses][8];
   hourglass_patterns(xi, h);
-  for (int p = 0; p < HexTable::points; ++p) {
+  EnhancedModes modes = {};
+  double gradient[points][EnhancedModes::fields][3], dilatations[points][hourglasses];
+  for (int p = 0; p < points; ++p) {
+    auto& g = gradient[p];
+    auto& dilatation = dilatations[p];
     const Mat3 jacobian = nodal_gradient(x, cell.dN[p]);
     const double reference_det = det(jacobian);
     const Mat3 to_reference = inverse(jacobian, reference_det);
-    double g[EnhancedModes::fields][3], dilatation[hourglasses];
     for (int s = 0; s < hourglasses; ++s) {
       dilatation[s] = nodal_sum(h[s], cell.N[p]) / reference_det;
       double by_xi[3];
@@ -121,7 +146,16 @@ KOKKOS_INLINE_FUNCTION void add_hourglass_stiffness(const HexTable& cell, const 
       }
     }
     modes.add(cell.weight[p] * reference_det, law, g, dilatation);
+    reference.share[p] = corner_share * cell.weight[p] * reference_det;
   }
+  double amplitude[EnhancedModes::size][EnhancedModes::compatible];
+  modes.relax(amplitude);
+  const double scale = 1.0 / std::sqrt(corner_share);
+  for (int p = 0; p < points; ++p)
+    for (int v = 0; v < voigt_size; ++v)
+      for (int c = 0; c < hourglass_numbers; ++c)
+        reference.strain[p][v][c] =
+            scale * EnhancedModes::strain(v, c, gradient[p], dilatations[p], amplitude);
 }
 
 /// x: reference positions; law: at rest.
@@ -166,15 +200,7 @@ KOKKOS_INLINE_FUNCTION EnhancedReference enhanced_reference(const HexTable& cell
       mean[s][i] = nodal_sum(h[s], r.gradient[i]);
   }
 
-  EnhancedModes modes = {};
-  add_hourglass_stiffness(cell, x, law, to_center, mean, modes);
-  modes.condense();
-  for (int s = 0; s < hourglasses; ++s)
-    for (int t = s; t < hourglasses; ++t)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          r.stiffness[hourglass_pair(s, t)][i][j] =
-              0.5 * (modes.k[3 * s + i][3 * t + j] + modes.k[3 * t + j][3 * s + i]);
+  set_hourglass_strains(cell, x, law, to_center, mean, r);
   return r;
 }
 

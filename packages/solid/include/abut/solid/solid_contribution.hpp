@@ -26,13 +26,15 @@ public:
   const Connectivity& connectivity() const override { return connectivity_; }
   Role role() const override { return Role::internal; }
 
-  /// Both throw SolveError on the ranks with an inverted element, after the loop: it names the
-  /// element's number in the input and det F. The caller spreads it.
+  /// Both throw SolveError on the ranks with an inverted element, or an enhanced one that is folded
+  /// at a corner, after the loop: it names the element's number in the input and det F. The caller
+  /// spreads it.
   void residual(const NodalFields& fields, const ResidualScatter& scatter) override;
   void tangent(const NodalFields& fields, const TangentScatter& scatter) override;
 
   /// Stresses and energies at fields, whose ghosts are up to date.
   ElementFields element_fields(const NodalFields& fields) const;
+  RecoveredFields recovered_fields(const NodalFields& fields) const;
 
   int block() const { return block_; }
   const Material& material() const { return material_; }
@@ -43,6 +45,7 @@ private:
   Material material_;
   Connectivity connectivity_;
   std::unique_ptr<BlockLoops> loops_;
+  const char* fault_ = "inverted"; ///< what an element is whose smallest det F is not positive
 };
 
 } // namespace abut::solid

@@ -4,6 +4,9 @@
 #include "abut/assembly/equation_system.hpp"
 #include "abut/solver/nonlinear_system.hpp"
 
+#include <functional>
+#include <utility>
+
 namespace abut::solver {
 
 /// The assembled equations as Newton sees them.
@@ -11,6 +14,10 @@ class AssembledSystem : public NonlinearSystem {
 public:
   /// The equations must outlive this object.
   explicit AssembledSystem(assembly::EquationSystem& equations) : equations_(equations) {}
+
+  /// What beside the equations may find that the end of a solve is no solution: throws SolveError
+  /// then. Collective.
+  void set_check(std::function<void()> check) { check_ = std::move(check); }
 
   RCP<const Map> map() const override { return equations_.dofs().map(); }
   void residual(const Vector& x, Vector& f) override { equations_.residual(x, f); }
@@ -23,7 +30,11 @@ public:
   bool settled() const override { return equations_.measure().settled; }
   bool overloaded() const override { return equations_.measure().overloaded; }
   bool lands() const override { return equations_.measure().lands; }
-  void require_consistent() const override { equations_.require_consistent(); }
+  void require_consistent() const override {
+    equations_.require_consistent();
+    if (check_)
+      check_();
+  }
   int unknowns_per_node() const override { return equations_.dofs().fields(); }
   std::vector<RowPlace> row_places() const override;
   void set_time(double t) override { equations_.set_time(t); }
@@ -38,6 +49,7 @@ public:
 
 private:
   assembly::EquationSystem& equations_;
+  std::function<void()> check_;
 };
 
 } // namespace abut::solver
