@@ -130,14 +130,27 @@ Json linear_json(const Comm& comm, const std::vector<solver::LinearUse>& uses) {
   return all;
 }
 
-} // namespace
-
-void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
-                   const std::vector<Verdict>& verdicts, const std::string& file) {
+Json phases_json(const Model& m) {
   Json phases = Json::object();
   for (int p = 0; p < phase_count; ++p)
     phases[phase_name(static_cast<Phase>(p))] =
         m.comm.max(m.timers->seconds(static_cast<Phase>(p)));
+  return phases;
+}
+
+Json energy_json(const scene::Energy& energy) {
+  return {{"work_in", energy.work_in},
+          {"stored", energy.stored},
+          {"penalty", energy.penalty},
+          {"friction", energy.friction},
+          {"imbalance", energy.imbalance()}};
+}
+
+} // namespace
+
+void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
+                   const std::vector<Verdict>& verdicts, const std::string& file) {
+  const Json phases = phases_json(m);
   const Json linear = linear_json(m.comm, facts.linear);
   const double audit_seconds = m.comm.max(facts.audit_seconds);
   const Json waiting = {m.comm.min(facts.waiting_seconds), m.comm.max(facts.waiting_seconds)};
@@ -163,12 +176,7 @@ void write_summary(const Model& m, const scene::State& s, const RunFacts& facts,
                {"waiting_seconds", waiting},
                {"peak_memory_mb", memory},
                {"contact", contact_json(m, s, facts.penalty)},
-               {"energy",
-                {{"work_in", s.energy.work_in},
-                 {"stored", s.energy.stored},
-                 {"penalty", s.energy.penalty},
-                 {"friction", s.energy.friction},
-                 {"imbalance", s.energy.imbalance()}}},
+               {"energy", energy_json(s.energy)},
                {"penalty_error", facts.penalty.whole},
                {"audit", audit_json(facts, audit_seconds)},
                {"verify", Json::array()}};

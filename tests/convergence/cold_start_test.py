@@ -118,6 +118,15 @@ class ColdStart(unittest.TestCase):
                 force = self.iterations(scene, f"sphere by a traction of {traction}", 30, thickness=math.pi / 4)
                 self.assertAlmostEqual(force, traction, delta=0.05 * traction)
 
+    def test_hat_weights_take_fine_meshes(self):
+        """Those of OPEN: averages that no open gap can close."""
+        for formulation in ("facet_on_facet", "sliding_elastic"):
+            for approach in (0.02, 0.05):
+                with self.subTest(formulation=formulation, approach=approach):
+                    scene = deck(approach, 48, formulation=formulation, weighted_gap="hat", **WAYS["dual"])
+                    name = f"{formulation:16s} hat weights, approach {approach:5.3f}, 48 faces"
+                    self.assertGreater(self.iterations(scene, name), 0.15 * approach)
+
     def test_starts_by_a_force_with_friction(self):
         for formulation in ("facet_on_facet", "sliding_elastic"):
             for force in (0.005, 0.02):

@@ -94,7 +94,7 @@ inline DualReference::DualReference(const mesh::Surface& primary, const mesh::Su
     tables_.emplace_back();
     points_.emplace_back();
     for (int q = 0; q < rule.size(); ++q) {
-      Point p{f, std::size_t(q), rule.weight[q], 0.0, {}, {}, {}, {}, -1, {0.0, 0.0}};
+      Point p{f, std::size_t(q), rule.weight[q], 0.0, {}, {}, {}, {}, {}, -1, {0.0, 0.0}};
       double N[fem::max_face_nodes], dN[fem::max_face_nodes][2];
       fem::dispatch_face(type, [&](auto s) {
         decltype(s)::values(rule.xi[q].data(), N);
