@@ -12,18 +12,36 @@ struct ForceNotice {
   Vec3 force;
 };
 
-/// Bodies that follow the deck are one frame: they overlap only if it says so.
-std::vector<int> frames(const Scene& scene) {
+/// (rigid bodies) Those that follow the deck are one frame: they overlap only if it says so. So are
+/// the members of a mechanism, which are drawn one over the other at their joints.
+std::vector<int> frames_of_bodies(const Options& options, const Scene& scene) {
+  std::vector<int> frame;
+  for (std::size_t b = 0; b < scene.rigid_bodies.size(); ++b)
+    frame.push_back(scene.rigid_bodies[b].has_unknowns() ? static_cast<int>(b) + 1 : 0);
+  const auto frame_of = [&](const std::string& name) {
+    for (std::size_t b = 0; b < frame.size(); ++b)
+      if (scene.rigid_bodies[b].name == name)
+        return frame[b];
+    return -1; // the ground
+  };
+  for (const rigid::JointOptions& joint : options.joints) {
+    const int a = frame_of(joint.bodies[0]), b = frame_of(joint.bodies[1]);
+    if (joint.kind != rigid::JointKind::spring && a >= 0 && b >= 0)
+      std::replace(frame.begin(), frame.end(), b, a);
+  }
+  return frame;
+}
+
+std::vector<int> frames(const Options& options, const Scene& scene) {
+  const std::vector<int> of_body = frames_of_bodies(options, scene);
   std::vector<int> frame;
   for (const int body : scene.rigid_body_of_node)
-    frame.push_back(body < 0                                                ? -1
-                    : !scene.rigid_bodies[std::size_t(body)].has_unknowns() ? 0
-                                                                            : body + 1);
+    frame.push_back(body < 0 ? -1 : of_body[std::size_t(body)]);
   return frame;
 }
 
 audit::Bodies bodies_of(const Options& options, const Scene& scene) {
-  audit::Bodies bodies{{}, scene.body_of_block, frames(scene)};
+  audit::Bodies bodies{{}, scene.body_of_block, frames(options, scene)};
   for (const BodyOptions& body : options.bodies)
     bodies.names.push_back(body.name);
   return bodies;

@@ -30,12 +30,23 @@ inline std::vector<Faces> all_faces() {
     for (Formulation f :
          {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})
       list.push_back({p[0], p[1], f});
+  return list;
+}
+
+/// The same, and some whose nodes average gaps with N.
+inline std::vector<Faces> faces_of_both_averages() {
+  std::vector<Faces> list = all_faces();
   for (Formulation f :
        {Formulation::facet_on_facet, Formulation::node_on_facet, Formulation::sliding_elastic})
     list.push_back({fem::FaceType::quad4, fem::FaceType::tri3, f, WeightedGap::hat});
   list.push_back(
       {fem::FaceType::tri6, fem::FaceType::quad8, Formulation::facet_on_facet, WeightedGap::hat});
   return list;
+}
+
+/// Whether the tangent of the scene without friction is symmetric.
+inline bool is_symmetric(const Faces& f) {
+  return f.formulation != Formulation::sliding_elastic && f.weighted_gap == WeightedGap::dual;
 }
 
 inline ContactOptions options(const Faces& f, double friction = 0.0) {

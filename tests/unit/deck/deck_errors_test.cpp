@@ -69,11 +69,11 @@ INSTANTIATE_TEST_SUITE_P(
             6, "contct:",
             "d.yaml:6: contct: unknown key; valid: title, mesh, surfaces, materials, bodies, "
             "joints, displacements, loads, curves, contact, time, dynamics, newton, linear_solver, "
-            "output, trilinos, check, verify; did you mean 'contact'?"},
+            "audit, output, trilinos, check, verify; did you mean 'contact'?"},
         Case{10, "    penalty_factr: 10",
              "d.yaml:10: contact.pair.penalty_factr: unknown key; did you mean 'penalty_factor'? "
              "valid: primary, secondary, primary_side, formulation, enforcement, multipliers, "
-             "augmentation, uzawa, "
+             "weighted_gap, augmentation, uzawa, "
              "penalty_factor, penalty, penalty_curve, update_penalty, friction, friction_curve, "
              "friction_map, friction_switching, two_pass, tension, tied, tie_distance, tie_gap, "
              "sticky, "
