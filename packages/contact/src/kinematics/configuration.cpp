@@ -52,8 +52,7 @@ Box<3> face_box(const PrimaryView& primary, Local face) {
 
 /// What smooths the way over an edge: the force then goes to zero with the distance from it.
 bool presses_by_springs_alone(const Settings& s) {
-  return s.formulation == Formulation::facet_on_facet && !s.augmented() && !s.anchors() &&
-         !s.tension && s.friction == 0.0;
+  return !s.augmented() && !s.anchors() && !s.tension && s.friction == 0.0;
 }
 
 } // namespace
