@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/contact/foot.hpp"
 #include "abut/contact/site.hpp"
 #include "abut/contact/site_start.hpp"
 #include "abut/core/types.hpp"
@@ -41,7 +40,6 @@ struct PointState {
   Local facing = -1;         ///< face in FacingView that carries the force, -1: none
   Local anchor = -1;         ///< face of the anchor in FacingView, when there is one
   double xi[2] = {0.0, 0.0}; ///< partner on the face
-  Foot foot;                 ///< what of the face it lies on
   Local near = -1;           ///< face of the nearest partner
   double near_xi[2] = {0.0, 0.0};
   double gap = 0.0;         ///< > 0 open, offset not taken off [length]

@@ -30,7 +30,6 @@ KOKKOS_INLINE_FUNCTION ContactPoint contact_point(const PrimaryView& primary,
   c.face = state.facing >= 0 ? facing.type(state.facing) : fem::FaceType::quad4;
   c.xi[0] = state.xi[0];
   c.xi[1] = state.xi[1];
-  c.foot = state.foot;
   c.anchor_face = state.anchor >= 0 ? facing.type(state.anchor) : c.face;
   c.anchor_xi[0] = history.anchor_xi[0];
   c.anchor_xi[1] = history.anchor_xi[1];

@@ -140,7 +140,6 @@ private:
     s.near = s.facing = best.face;
     for (int k = 0; k < 2; ++k)
       s.near_xi[k] = s.xi[k] = best.xi[k];
-    s.foot = best.foot;
     s.gap = best.gap;
   }
 

@@ -50,11 +50,6 @@ Box<3> face_box(const PrimaryView& primary, Local face) {
   return box;
 }
 
-/// What smooths the way over an edge: the force then goes to zero with the distance from it.
-bool presses_by_springs_alone(const Settings& s) {
-  return !s.augmented() && !s.anchors() && !s.tension && s.friction == 0.0;
-}
-
 } // namespace
 
 Configuration::Configuration(const Comm& comm, mesh::Surface primary, mesh::Surface secondary,
@@ -65,9 +60,8 @@ Configuration::Configuration(const Comm& comm, mesh::Surface primary, mesh::Surf
       primary_rise_(facet_rises(comm, primary_.surface())),
       secondary_(moved(std::move(secondary), origin_)), facing_(comm, secondary_, settings.reach),
       self_(settings.primary == settings.secondary && !settings.primary.empty()),
-      line_(settings.ray()), edges_(presses_by_springs_alone(settings)), reach_(settings.reach),
-      margin_(settings.projection_margin), slack_(mean_face_size),
-      smallest_size_(std::numeric_limits<double>::max()) {
+      line_(settings.ray()), reach_(settings.reach), margin_(settings.projection_margin),
+      slack_(mean_face_size), smallest_size_(std::numeric_limits<double>::max()) {
   for (Local f = 0; f < points().faces(); ++f)
     smallest_size_ = std::min(smallest_size_, points().size(f));
   smallest_size_ = comm_.min(smallest_size_);
@@ -150,7 +144,7 @@ void Configuration::collect() {
 }
 
 PartnerSearch Configuration::search() const {
-  return {points(), facing(), self_, line_, edges_, reach_, margin_, motion_};
+  return {points(), facing(), self_, line_, reach_, margin_, motion_};
 }
 
 void Configuration::near_pairs(Connectivity& cells, std::vector<Local>& face) const {

@@ -69,7 +69,7 @@ private:
   std::vector<double> primary_rise_; ///< (faces, 2)
   mesh::Surface secondary_;          ///< relative to origin_
   FacingSurface facing_;
-  bool self_, line_, edges_;
+  bool self_, line_;
   double reach_, margin_;
   double slack_;         ///< motion after which faces are collected anew [length]
   double smallest_size_; ///< of all primary faces [length]

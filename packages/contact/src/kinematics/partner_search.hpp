@@ -2,16 +2,15 @@
 #pragma once
 
 #include "abut/contact/facet_gap.hpp"
-#include "abut/contact/foot.hpp"
-#include "abut/search/meet_face.hpp"
+#include "abut/search/closest_point.hpp"
+#include "abut/search/ray.hpp"
 #include "kinematics/facing_surface.hpp"
 #include "kinematics/primary_surface.hpp"
 #include "kinematics/through_body.hpp"
 #include "law/constants.hpp"
 
 /// Which secondary face is the partner of a point: the nearest one that the point projects on, or
-/// that a ray meets; behind a re-entrant edge, where it projects on none, the nearest edge or
-/// corner. Device code.
+/// that a ray meets. Device code.
 namespace abut::contact {
 
 /// What a point looks for: its closest point, or where a line meets the secondary surface.
@@ -33,7 +32,6 @@ struct Partner {
   Local face = -1;
   double distance = 0.0, gap = 0.0, xi[2] = {0.0, 0.0};
   Vec3 normal{{0, 0, 0}}; ///< of the face
-  Foot foot;
 };
 
 /// The search of one interface in one configuration. Copied by value.
@@ -42,7 +40,6 @@ struct PartnerSearch {
   FacingView facing;
   bool self = false;   ///< primary and secondary are one surface
   bool line = false;   ///< rays along the primary normal
-  bool edges = false;  ///< edges and corners are partners too
   double reach = 0.0;  ///< in sizes of the larger face [1]
   double margin = 0.0; ///< how far outside a face a projection still counts [1]
   double motion = 0.0; ///< of points that may have passed through a face since the last step; 0:
@@ -82,10 +79,9 @@ struct PartnerSearch {
     double limit = fmax(q.reach, fmax(reach * facing.largest_size, motion));
     if (q.line)
       limit += norm(q.origin - q.x);
-    Met met;
+    Partner inner, beside;
     if (q.last >= 0)
-      visit(q, q.last, limit, met); // most likely still the nearest: bounds the search
-    const Partner &inner = met.inner, &beside = met.beside;
+      visit(q, q.last, limit, inner, beside); // most likely still the nearest: bounds the search
     const bool is_held = q.hold > 0.0 && inner.face == q.last;
     const double line_reach = 2.0 * limit / (q.line ? norm(q.direction) : 1.0);
     if (!is_held)
@@ -96,13 +92,8 @@ struct PartnerSearch {
           },
           [&](Local candidate) {
             if (candidate != q.last)
-              visit(q, candidate, limit, met);
+              visit(q, candidate, limit, inner, beside);
           });
-    if (edges && met.beyond && inner.face < 0) {
-      const Partner edge = nearest_edge(q);
-      if (edge.face >= 0)
-        return edge;
-    }
     const bool prefer_inner =
         inner.face >= 0 &&
         (beside.face < 0 ||
@@ -127,13 +118,6 @@ struct PartnerSearch {
   }
 
 private:
-  /// What the faces visited so far are to a point.
-  struct Met {
-    Partner inner;       ///< nearest with a projection inside
-    Partner beside;      ///< nearest with one in the margin
-    bool beyond = false; ///< the point lies behind one that it does not project on
-  };
-
   /// Projection of the query's point on a face, or the hit of its line.
   KOKKOS_INLINE_FUNCTION static search::Projection meet_face(const Query& q, fem::FaceType type,
                                                              const Vec3* y, const double start[2]) {
@@ -191,10 +175,10 @@ private:
     return gap >= 0.0 || !through_body(q, candidate, xi, -gap);
   }
 
-  /// A projection within the margin beside a face (the point lies before an edge, or just off the
-  /// rim) counts only when no face with a projection inside is about as near, and no edge is.
-  KOKKOS_INLINE_FUNCTION void visit(const Query& q, Local candidate, double& limit,
-                                    Met& met) const {
+  /// A projection within the margin beside a face (the point lies above a concave edge, or just off
+  /// the rim) counts only when no face with a projection inside is about as near.
+  KOKKOS_INLINE_FUNCTION void visit(const Query& q, Local candidate, double& limit, Partner& inner,
+                                    Partner& beside) const {
     if (own_neighbour(q.face, candidate))
       return;
     const fem::FaceType type = facing.type(candidate);
@@ -208,80 +192,19 @@ private:
     const bool hold = q.hold > 0.0 && candidate == q.last;
     double gap = 0.0;
     Vec3 normal;
-    if (!found.converged || !within(type, found.xi, hold ? q.hold : margin)) {
-      met.beyond = met.beyond || (edges && !hold && met.inner.face < 0 && is_behind(q, type, y));
-      return;
-    }
-    if (!faces(q, candidate, y, found.xi, gap, normal))
+    if (!found.converged || !within(type, found.xi, hold ? q.hold : margin) ||
+        !faces(q, candidate, y, found.xi, gap, normal))
       return;
     const double distance = std::fabs(gap);
     const bool is_inner = hold || within(type, found.xi, round_off);
-    met.beyond = met.beyond || (!is_inner && gap < 0.0);
-    Partner& partner = is_inner ? met.inner : met.beside;
+    Partner& partner = is_inner ? inner : beside;
     const bool tie = partner.face >= 0 &&
                      std::fabs(distance - partner.distance) <= round_off * primary.size(q.face);
     if (tie ? facing.goes_before(candidate, partner.face)
             : partner.face < 0 || distance < partner.distance)
-      partner = {candidate, distance, gap, {found.xi[0], found.xi[1]}, normal, {}};
+      partner = {candidate, distance, gap, {found.xi[0], found.xi[1]}, normal};
     if (is_inner)
       limit = fmin(limit, fmax(distance, q.line ? norm(q.origin - q.x) : 0.0));
-  }
-
-  /// Whether a point lies behind the middle of a face that looks at it.
-  KOKKOS_INLINE_FUNCTION static bool is_behind(const Query& q, fem::FaceType type, const Vec3* y) {
-    double center[2];
-    fem::dispatch_face(type, [&](auto s) { decltype(s)::center(center); });
-    const auto at = facet_gap<double>(type, y, q.x, center);
-    return at.gap < 0.0 && dot(at.normal, q.normal) <= outward_share;
-  }
-
-  /// The nearest edge or corner of the surface; none where the point lies in front of a face there,
-  /// or where the surface ends.
-  KOKKOS_INLINE_FUNCTION Partner nearest_edge(const Query& q) const {
-    Partner best;
-    bool in_front = false;
-    double limit = fmax(q.reach, reach * facing.largest_size);
-    facing.tree.traverse(
-        [&](const search::Box<3>& box) { return box.distance2(q.x.v) <= limit * limit; },
-        [&](Local candidate) { visit_boundary(q, candidate, limit, best, in_front); });
-    if (best.face < 0 || in_front || through_body(q, best.face, best.xi, best.distance))
-      return Partner();
-    const int corners = fem::face_corners(facing.type(best.face)), e = best.foot.index;
-    const bool at_corner = best.foot.on == Foot::On::corner;
-    const bool ends =
-        on_rim(best.face, e) || (at_corner && on_rim(best.face, (e + corners - 1) % corners));
-    return ends ? Partner() : best;
-  }
-
-  /// in_front: of one of the faces at the best so far.
-  KOKKOS_INLINE_FUNCTION void visit_boundary(const Query& q, Local candidate, double& limit,
-                                             Partner& best, bool& in_front) const {
-    if (own_neighbour(q.face, candidate))
-      return;
-    const fem::FaceType type = facing.type(candidate);
-    const double tie = round_off * primary.size(q.face);
-    Vec3 y[fem::max_face_nodes];
-    facing.coordinates(candidate, y);
-    const search::BoundaryPoint at = search::closest_boundary_point(type, y, q.x);
-    const double* xi = at.meeting.xi;
-    const double distance = at.meeting.distance;
-    const bool nearer = best.face < 0 || distance < best.distance - tie;
-    const bool same = !nearer && distance <= best.distance + tie;
-    if (!(distance > tie) || !(nearer || same) ||
-        distance > fmax(q.reach, reach * facing.size(candidate)))
-      return;
-    const auto seen = facet_gap<double>(type, y, q.x, xi);
-    const Vec3 normal = (1.0 / distance) * (search::place_on_face(type, y, xi) - q.x);
-    if (fmax(dot(seen.normal, q.normal), dot(normal, q.normal)) > outward_share)
-      return;
-    in_front = (same && in_front) || !(seen.gap < 0.0);
-    if (same && !facing.goes_before(candidate, best.face))
-      return;
-    const bool at_corner = at.corner >= 0;
-    const Foot foot{at_corner ? Foot::On::corner : Foot::On::edge,
-                    static_cast<signed char>(at_corner ? at.corner : at.edge)};
-    best = {candidate, distance, -distance, {xi[0], xi[1]}, normal, foot};
-    limit = fmin(limit, distance + tie);
   }
 
   /// Whether xi lies beyond the edge from corner e to the next.

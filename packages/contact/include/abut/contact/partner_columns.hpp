@@ -50,41 +50,6 @@ struct PartnerColumns {
   Vec3 turn[2][max_columns];
 };
 
-/// Of the closest point of an edge, xi = xi_0 + s d: A Ds = (Dx - Dx2) . g + gap c . N_b,s Du_b
-/// with g = y,s and A = g . g - gap c . y,ss; of a corner Ds = 0. D c = (I - c (x) c)(Dx - Dx2 - g
-/// Ds) / gap. False where A is not positive or the point lies on the edge.
-inline KOKKOS_FUNCTION bool edge_columns(const ContactPoint& c, const PrimaryColumns& p,
-                                         const Vec3* y, PartnerColumns& s) {
-  const bool edge = c.foot.on == Foot::On::edge;
-  double d[2] = {0.0, 0.0};
-  edge_direction(c.face, c.foot.index, d);
-  fem::face_point(c.face, y, c.xi, s.face);
-  const EdgePoint<double> along(s.face, d);
-  const Vec3 out = s.face.x - p.at.x;
-  const double distance = norm(out), square = dot(along.tangent, along.tangent);
-  const double A = square + dot(out, along.second);
-  if (!(distance > 0.0) || (edge && !(A > 1e-6 * square)))
-    return false;
-  s.c = (1.0 / distance) * out;
-  s.gap = -distance;
-  const Vec3 g = along.tangent - dot(along.tangent, s.c) * s.c; // square to c, of an edge anyway
-  s.dual[0] = (1.0 / norm(g)) * g;
-  s.dual[1] = cross(s.c, s.dual[0]);
-  const int n1 = c.shape.nodes, n = n1 + fem::face_nodes(c.face);
-  for (int q = 0; q < n; ++q) {
-    const bool primary = q < n1;
-    const double B = primary ? c.shape.N[q] : -s.face.N[q - n1];
-    const double N = primary ? 0.0 : d[0] * s.face.dN[q - n1][0] + d[1] * s.face.dN[q - n1][1];
-    const Vec3 way = edge ? Vec3((B / A) * along.tangent + (s.gap * N / A) * s.c) : Vec3::zero();
-    s.row_gap[q] = B * s.c;
-    for (int k = 0; k < 2; ++k) {
-      s.row_xi[k][q] = d[k] * way;
-      s.turn[k][q] = (1.0 / distance) * (B * s.dual[k] - dot(along.tangent, s.dual[k]) * way);
-    }
-  }
-  return true;
-}
-
 /// Of the closest point: A_ab D xi^b = (Dx - Dx2) . g_a + gap c . N_b,a Du_b with A = m - gap kappa
 /// and D c = -g^a (x) (c . N_b,a Du_b + kappa_ab D xi^b). False at a centre of curvature,
 /// det A < 1e-6 det m.
@@ -176,9 +141,7 @@ inline KOKKOS_FUNCTION bool ray_columns(const ContactPoint& c, const PrimaryColu
 
 inline KOKKOS_FUNCTION bool partner_columns(const ContactPoint& c, const PrimaryColumns& p,
                                             const Vec3* y, PartnerColumns& s) {
-  if (c.ray)
-    return ray_columns(c, p, y, s);
-  return c.foot.on == Foot::On::face ? closest_columns(c, p, y, s) : edge_columns(c, p, y, s);
+  return c.ray ? ray_columns(c, p, y, s) : closest_columns(c, p, y, s);
 }
 
 } // namespace abut::contact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "abut/contact/foot.hpp"
 #include "abut/contact/friction_switch.hpp"
 #include "abut/contact/primary_point.hpp"
 #include "abut/fem/face_map.hpp"
@@ -12,10 +11,9 @@
 /// maps, on any scalar. The status is given: the search and the return map have decided it.
 ///
 /// The contact normal c points from the secondary to the primary: the outward normal of the
-/// secondary face at the closest point (node_on_facet, facet_on_facet; of edges see foot.hpp), or
-/// minus the normal of the primary at the point (sliding_elastic). gap = (x1 - x2) . c > 0 is open,
-/// the traction on the primary is t = p c + t_T with p >= 0, and t_T opposes the slip of the
-/// primary.
+/// secondary face at the closest point (node_on_facet, facet_on_facet), or minus the normal of the
+/// primary at the point (sliding_elastic). gap = (x1 - x2) . c > 0 is open, the traction on the
+/// primary is t = p c + t_T with p >= 0, and t_T opposes the slip of the primary.
 namespace abut::contact {
 
 /// What holds at a point now.
@@ -42,7 +40,6 @@ struct ContactPoint {
   SlipLine line;           ///< of incremental_slip
   fem::FaceType face = fem::FaceType::quad4; ///< that carries the force
   double xi[2] = {0.0, 0.0};                 ///< partner of the point on it
-  Foot foot;                                 ///< what of the face the partner lies on
   fem::FaceType anchor_face = fem::FaceType::quad4;
   double anchor_xi[2] = {0.0, 0.0};
   bool first = false;               ///< no contact at the last converged step
@@ -95,27 +92,6 @@ KOKKOS_INLINE_FUNCTION void meet(const ContactPoint& c, const Vec<T, 3>* y, cons
   }
 }
 
-/// Closest point of an edge or a corner of the face: a point behind it.
-template <class T>
-KOKKOS_INLINE_FUNCTION void edge_partner(const ContactPoint& c, const Vec<T, 3>& x,
-                                         const Vec<T, 3>* y, ContactPartner<T>& partner) {
-  double d[2] = {0.0, 0.0};
-  if (c.foot.on == Foot::On::edge)
-    edge_direction(c.face, c.foot.index, d);
-  for (int k = 0; k < corrections && c.foot.on == Foot::On::edge; ++k) {
-    const EdgePoint<T> edge(partner.at, d);
-    const Vec<T, 3> r = x - partner.at.x;
-    const T step = dot(r, edge.tangent) / (dot(edge.tangent, edge.tangent) - dot(r, edge.second));
-    for (int i = 0; i < 2; ++i)
-      partner.xi[i] += d[i] * step;
-    fem::face_point(c.face, y, partner.xi, partner.at);
-  }
-  const Vec<T, 3> out = partner.at.x - x;
-  const T distance = norm(out);
-  partner.c = (T(1.0) / distance) * out;
-  partner.gap = -distance;
-}
-
 } // namespace detail
 
 /// Closest point or ray hit of a primary point on the face with nodes y.
@@ -133,10 +109,6 @@ contact_partner(const ContactPoint& c, const PrimaryPoint<T>& p, const Vec<T, 3>
   partner.xi[0] = c.xi[0];
   partner.xi[1] = c.xi[1];
   fem::face_point(c.face, y, partner.xi, partner.at);
-  if (c.foot.on != Foot::On::face) {
-    detail::edge_partner(c, p.x, y, partner);
-    return partner;
-  }
   for (int k = 0; k < detail::corrections; ++k) {
     T step[2];
     search::projection_step(partner.at, p.x, step);

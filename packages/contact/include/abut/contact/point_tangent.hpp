@@ -257,7 +257,7 @@ inline KOKKOS_FUNCTION bool point_tangent(const ContactPoint& c, const Vec3* x, 
                                           const Vec3* z, bool anchor_is_face, double* k) {
   if (c.rule == PointRule::open)
     return true;
-  if (c.rule == PointRule::frictionless && !c.ray && c.foot.on == Foot::On::face)
+  if (c.rule == PointRule::frictionless && !c.ray)
     return detail::symmetric_tangent(c, x, y, k);
   const int n1 = c.shape.nodes, n2 = fem::face_nodes(c.face);
   PrimaryColumns p;
