@@ -132,7 +132,7 @@ TEST_P(DualAutomatic, Overhanging) {
     }
     EXPECT_GT(t.closed(), 3);
     EXPECT_LT(t.tangent_error(), rounding);
-    if (friction == 0.0 && GetParam().formulation != Formulation::sliding_elastic) {
+    if (friction == 0.0 && is_symmetric(GetParam())) {
       EXPECT_LT(t.asymmetry(), 1e-12);
     }
   }
@@ -150,7 +150,9 @@ TEST_P(DualAutomatic, StickAndSlipAndOpen) {
   t.move(0.014, {{0.026, 0.026, 0.0}}, 0.2);
   EXPECT_GT(t.reference.count(DualReference::stick), 0);
   EXPECT_GT(t.reference.count(DualReference::slip), 0);
-  EXPECT_GT(t.reference.count(DualReference::open), 0);
+  if (GetParam().weighted_gap == WeightedGap::dual) { // with N none opens here
+    EXPECT_GT(t.reference.count(DualReference::open), 0);
+  }
   EXPECT_LT(t.tangent_error(), rounding);
 }
 
