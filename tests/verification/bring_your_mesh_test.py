@@ -42,7 +42,7 @@ class Commands(Case):
                 if shown:
                     self.assertEqual(output, shown, command)
                 run += 1
-        self.assertEqual(run, 5)
+        self.assertEqual(run, 6)
         self.assertTrue((self.path / "pin" / "pin_results.exo").exists())
         names = scenes.Fields(self.path / "pin" / "pin_results.exo").names("ss")
         self.assertIn("hole", names)
@@ -58,7 +58,8 @@ class WithGmsh(Case):
         for version in ("msh41", "msh41 -bin", "msh2", "msh2 -bin"):
             made = next(text for _, text in BLOCKS if text.startswith("gmsh "))
             self.shell(made.replace("msh41", version) + "build/bin/abut import input/pin/pin.msh --output-dir pin")
-        self.shell("cp input/pin/pin.yaml pin/ && build/bin/abut run pin/pin.yaml --output-dir pin")
+        self.shell("cp input/pin/pin.yaml pin/ && build/bin/abut run pin/pin.yaml --output-dir pin && "
+                   "build/bin/abut report pin/pin_results.exo")
 
 
 if __name__ == "__main__":
