@@ -188,13 +188,13 @@ class Help(Case):
 
     def test_help(self):
         self.assertEqual(self.call("help"), self.call("--help"))
-        for command in ("run", "check", "mesh", "schema", "import"):
+        for command in ("run", "check", "mesh", "report", "schema", "import"):
             status, output = self.call("help", command)
             self.assertEqual((status, output), self.call(command, "--help"))
             self.assertIn(command, output)
 
     def test_unknown_words(self):
-        commands = "valid: run, check, import, mesh, schema, help"
+        commands = "valid: run, check, import, mesh, report, schema, help"
         self.refused(f"there is no command 'rnu'; {commands}; did you mean 'run'\\?$", "rnu", "scene.yaml")
         self.refused(f"there is no command 'schem'; {commands}; did you mean 'schema'\\?$", "help", "schem")
         self.refused(r"'abut run' has no option '--sumary'; valid: .*; did you mean '--summary'\?$", "run", "scene.yaml",
