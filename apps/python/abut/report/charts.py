@@ -10,6 +10,7 @@ from .pictures import png
 
 MOST_PANELS = 8
 NOTHING = 1e-6         # of the largest of a panel: a curve that is nothing to see
+ROUNDING = 1e-10       # of the largest force of a run: a force that is zero
 MOST_ITERATIONS = 600  # whose residuals are drawn; of longer runs the last
 ENERGIES = {"work_in": "work done on the model", "energy_stored": "stored in bodies",
             "energy_penalty": "in the penalty", "energy_friction": "lost to friction", "kinetic_energy": "kinetic",
@@ -27,7 +28,8 @@ def forces(columns):
         match = FORCE.fullmatch(name)
         if match:
             groups.setdefault(match.group(1, 2), {})[match.group(3)] = columns[name]
-    groups = {key: parts for key, parts in groups.items() if _largest(parts.values()) > 0}
+    zero = ROUNDING * _largest(curve for parts in groups.values() for curve in parts.values())
+    groups = {key: parts for key, parts in groups.items() if _largest(parts.values()) > zero}
     shown, left_out = list(groups.items())[:MOST_PANELS], list(groups)[MOST_PANELS:]
     if not shown:
         return None, []
