@@ -3,9 +3,7 @@
 
 A mesh is an exodus_edit.ExodusMesh; blocks become element sets, side sets surfaces, node sets node sets.
 """
-import numpy as np
-
-from msh_write import SIDES
+from msh_write import SIDES, in_order
 
 # Abaqus' manual, "Solid elements": edges whose middles come next, and the corners of S1, S2, ...
 HEX_EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
@@ -15,17 +13,6 @@ CELLS = {"HEX8": ("C3D8", 8, []), "HEX20": ("C3D20", 8, HEX_EDGES), "TETRA4": ("
 FACES = {8: [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)],
          4: [(0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)],
          6: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)]}
-
-
-def ordered(kind, nodes, x):
-    """Nodes of a cell in Abaqus' order: each middle node is found by its place. Cells are straight."""
-    _, corners, middles = CELLS[kind]
-    order = list(nodes[:corners])
-    for middle in middles:
-        center = x[nodes[list(middle)]].mean(axis=0)
-        order.append(nodes[np.argmin(np.linalg.norm(x[nodes] - center, axis=1))])
-    assert len(set(order)) == len(nodes), (kind, order)
-    return order
 
 
 def face(corners, side):
@@ -42,10 +29,10 @@ def text(mesh):
     out = "*NODE\n" + "".join(f"{n}, {x!r}, {y!r}, {z!r}\n" for n, (x, y, z) in enumerate(mesh.x.tolist(), 1))
     number, kinds = 1, []
     for block in mesh.blocks:
-        kind, corners, _ = CELLS[block.kind]
+        kind, corners, middles = CELLS[block.kind]
         out += f"*ELEMENT, TYPE={kind}, ELSET={block.name}\n"
         for nodes in block.nodes:
-            out += listed([number] + [n + 1 for n in ordered(block.kind, nodes, mesh.x)])
+            out += listed([number] + [n + 1 for n in in_order(corners, middles, nodes, mesh.x)])
             kinds.append(corners)
             number += 1
     for name, nodes in mesh.node_sets.items():

@@ -24,14 +24,13 @@ SIDES = {8: [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (0, 4, 7, 3), (0, 3, 2, 1
          6: [(0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2), (0, 2, 1), (3, 4, 5)]}
 
 
-def gmsh_nodes(kind, nodes, x):
-    """Nodes of a cell in Gmsh's order: each middle node is found by its place. Cells are straight."""
-    _, corners, middles = CELLS[kind]
+def in_order(corners, middles, nodes, x):
+    """Corners of a cell, then the middles of these groups of them, each found by its place. Cells are straight."""
     order = list(nodes[:corners])
     for middle in middles:
         center = x[nodes[list(middle)]].mean(axis=0)
         order.append(nodes[np.argmin(np.linalg.norm(x[nodes] - center, axis=1))])
-    assert len(set(order)) == len(nodes), (kind, order)
+    assert len(set(order)) == len(nodes), order
     return order
 
 
@@ -52,7 +51,8 @@ def side_nodes(mesh, element, side):
 def elements(mesh):
     """(dimension, tag of group and entity, name of group, Gmsh's type, [nodes]) of each group."""
     for tag, block in enumerate(mesh.blocks, 1):
-        yield 3, tag, block.name, CELLS[block.kind][0], [gmsh_nodes(block.kind, n, mesh.x) for n in block.nodes]
+        yield 3, tag, block.name, CELLS[block.kind][0], \
+            [in_order(*CELLS[block.kind][1:], n, mesh.x) for n in block.nodes]
     for tag, (name, (cells, sides)) in enumerate(mesh.side_sets.items(), 1):
         lists = [side_nodes(mesh, e, s) for e, s in zip(cells, sides)]
         for width in sorted({len(nodes) for nodes in lists}):

@@ -13,13 +13,7 @@
 /// The sections of a deck.
 namespace abut::abaqus {
 
-using translation::DeckNames;
-using translation::FlowMap;
-using translation::list_text;
-using translation::number_text;
-using translation::quoted;
-using translation::rounded;
-using translation::vector_text;
+using namespace translation;
 
 /// What the sections share.
 struct DeckParts {
@@ -39,13 +33,6 @@ struct DeckParts {
     return w;
   }
 };
-
-inline void add_window(FlowMap& map, const Window& window) {
-  if (window.from > 0.0)
-    map.add("from", window.from);
-  if (window.until)
-    map.add("until", *window.until);
-}
 
 /// A rigid body with what moves and loads its reference node.
 class RigidBodies {

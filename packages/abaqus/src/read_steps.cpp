@@ -185,6 +185,19 @@ bool read_word(const std::string& key, Condition& c, std::vector<int>& component
   return false;
 }
 
+/// What a data line of *BOUNDARY or *CLOAD demands of the nodes that it begins with.
+Condition condition_at(const Card& card, const DataLine& line, const Scope& scope, int step,
+                       const std::string& amplitude, Lookup& lookup) {
+  const std::string set = line.fields()[0];
+  Condition c;
+  c.place = line.place;
+  c.step = step;
+  c.set = set;
+  c.nodes = lookup.nodes(card, line, set, scope);
+  c.amplitude = amplitude;
+  return c;
+}
+
 } // namespace
 
 void read_boundary(Card& card, const Scope& scope, int step, Lookup& lookup) {
@@ -198,12 +211,7 @@ void read_boundary(Card& card, const Scope& scope, int step, Lookup& lookup) {
     card.refuse("abut prescribes displacements alone");
   for (const DataLine& line : card.lines) {
     const auto fields = line.fields();
-    Condition c;
-    c.place = line.place;
-    c.step = step;
-    c.set = fields[0];
-    c.nodes = lookup.nodes(card, line, fields[0], scope);
-    c.amplitude = amplitude;
+    Condition c = condition_at(card, line, scope, step, amplitude, lookup);
     c.stays = stays;
     std::vector<int> components;
     if (fields.size() > 1 && read_word(key_of(fields[1]), c, components)) {
@@ -242,12 +250,7 @@ void read_forces(Card& card, const Scope& scope, int step, Lookup& lookup) {
     card.fail("expected within a *STEP");
   for (const DataLine& line : card.lines) {
     const auto fields = line.fields();
-    Condition c;
-    c.place = line.place;
-    c.step = step;
-    c.set = fields[0];
-    c.nodes = lookup.nodes(card, line, fields[0], scope);
-    c.amplitude = amplitude;
+    Condition c = condition_at(card, line, scope, step, amplitude, lookup);
     c.first = c.last =
         static_cast<int>(card.whole(line, fields.size() > 1 ? fields[1] : "", "a component"));
     c.value = card.number(line, fields, 2, "a force", 0.0);

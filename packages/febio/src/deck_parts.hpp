@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/translation/yaml_text.hpp"
 #include "mesh_data.hpp"
-#include "yaml_text.hpp"
 
 #include <algorithm>
 #include <map>
@@ -12,6 +12,8 @@
 
 /// What the sections of a deck are made from.
 namespace abut::febio {
+
+using namespace translation;
 
 /// A number of the deck and the curve that it follows.
 struct Timed {
@@ -45,14 +47,6 @@ private:
   std::map<int, std::string> used_; ///< by id; 0: the constant
   std::map<Pieces, std::string> composed_;
 };
-
-/// Keys 'from' and 'until' where something does not hold in the whole run.
-inline void add_window(FlowMap& map, const Window& window) {
-  if (window.from > 0.0)
-    map.add("from", window.from);
-  if (window.until)
-    map.add("until", *window.until);
-}
 
 /// What prescribes a component of a rigid body in some steps.
 struct PartHold {

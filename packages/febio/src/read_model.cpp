@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "abut/febio/import.hpp"
+#include "abut/translation/yaml_text.hpp"
 #include "readers.hpp"
 #include "versions.hpp"
-#include "yaml_text.hpp"
 
 #include <algorithm>
 
@@ -144,7 +144,7 @@ double Model::start(std::size_t step) const {
   double t = 0.0;
   for (std::size_t i = 0; i < step; ++i)
     t += steps[i].count * steps[i].size;
-  return rounded(t, 12);
+  return translation::rounded(t, 12);
 }
 
 Course Model::course(const Value& value, int step) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "abut/translation/yaml_text.hpp"
 #include "versions.hpp"
-#include "yaml_text.hpp"
 
 #include <cstdlib>
 
@@ -144,7 +144,8 @@ private:
       return b;
     char *end_a = nullptr, *end_b = nullptr;
     const double value = std::strtod(a.c_str(), &end_a) * std::strtod(b.c_str(), &end_b);
-    return a.empty() || b.empty() || *end_a || *end_b ? a + " " + b : number_text(value);
+    return a.empty() || b.empty() || *end_a || *end_b ? a + " " + b
+                                                      : translation::number_text(value);
   }
 
   void prescribed(pugi::xml_node from, const std::string& set, const std::string& factor) {

@@ -67,6 +67,13 @@ std::string FlowMap::lines(const std::string& indent) const {
   return s;
 }
 
+void add_window(FlowMap& map, const Window& window) {
+  if (window.from > 0.0)
+    map.add("from", window.from);
+  if (window.until)
+    map.add("until", *window.until);
+}
+
 std::string DeckNames::make(const std::string& name, const std::string& otherwise) {
   std::string base;
   for (const char c : name.empty() ? otherwise : name) {

@@ -63,18 +63,37 @@ inline const std::string& contact_parameters() {
   return text;
 }
 
+/// Since 3.0.
+inline std::string mesh_and_domains() {
+  return "<Mesh><Nodes name=\"all\">" + mesh_of("name=\"lower\"", "name=\"upper\"", "n") +
+         R"(<SurfacePair name="touch"><primary>low face</primary><secondary>up_face</secondary>
+</SurfacePair></Mesh>
+<MeshDomains><SolidDomain name="lower" mat="soft one"/><SolidDomain name="upper" mat="plate"/>
+</MeshDomains>
+)";
+}
+
+/// Since 3.0.
+inline std::string loads_and_contact() {
+  return R"(<Loads><nodal_load name="pull" type="nodal_load" node_set="top"><dof>y</dof>
+<scale lc="2">0.25</scale></nodal_load>
+<surface_load name="push" type="pressure" surface="low face"><pressure lc="1">0.3</pressure>
+</surface_load>
+<body_load type="const"><z lc="1">9.8</z></body_load></Loads>
+<Contact><contact name="touch" type="sliding-facet-on-facet" surface_pair="touch">
+)" + contact_parameters() +
+         R"(</contact></Contact>
+)";
+}
+
 inline std::string model_4_0() {
   return R"(<?xml version="1.0" encoding="ISO-8859-1"?>
 <febio_spec version="4.0"><Module type="solid"><units>mm-N-s</units></Module>
 <Control><analysis>STATIC</analysis><time_steps>4</time_steps><step_size>0.5</step_size>
 <solver type="solid"><dtol>0.002</dtol><etol>0.03</etol><max_refs>15</max_refs></solver></Control>
 )" + materials() +
-         "<Mesh><Nodes name=\"all\">" + mesh_of("name=\"lower\"", "name=\"upper\"", "n") +
-         R"(<SurfacePair name="touch"><primary>low face</primary><secondary>up_face</secondary>
-</SurfacePair></Mesh>
-<MeshDomains><SolidDomain name="lower" mat="soft one"/><SolidDomain name="upper" mat="plate"/>
-</MeshDomains>
-<Boundary><bc name="hold" type="zero displacement" node_set="bottom">
+         mesh_and_domains() +
+         R"(<Boundary><bc name="hold" type="zero displacement" node_set="bottom">
 <x_dof>1</x_dof><y_dof>1</y_dof><z_dof>1</z_dof></bc>
 <bc name="shear" type="prescribed displacement" node_set="top"><dof>x</dof>
 <value lc="1">0.1</value></bc></Boundary>
@@ -83,15 +102,8 @@ inline std::string model_4_0() {
 <rigid_bc type="rigid_displacement"><rb>plate</rb><dof>z</dof><value lc="2">-0.2</value></rigid_bc>
 <rigid_load type="rigid_force"><rb>plate</rb><dof>Ry</dof><value lc="1">0.5</value></rigid_load>
 </Rigid>
-<Loads><nodal_load name="pull" type="nodal_load" node_set="top"><dof>y</dof>
-<scale lc="2">0.25</scale></nodal_load>
-<surface_load name="push" type="pressure" surface="low face"><pressure lc="1">0.3</pressure>
-</surface_load>
-<body_load type="const"><z lc="1">9.8</z></body_load></Loads>
-<Contact><contact name="touch" type="sliding-facet-on-facet" surface_pair="touch">
-)" + contact_parameters() +
-         R"(</contact></Contact>
-<LoadData><load_controller id="1" type="loadcurve"><interpolate>SMOOTH</interpolate>
+)" + loads_and_contact() +
+         R"(<LoadData><load_controller id="1" type="loadcurve"><interpolate>SMOOTH</interpolate>
 <points><pt>0,0</pt><pt>1,0.5</pt><pt>2,1</pt></points></load_controller>
 <load_controller id="2" type="loadcurve"><interpolate>STEP</interpolate><extend>REPEAT</extend>
 <points><pt>0,0</pt><pt>1,1</pt></points></load_controller></LoadData>
@@ -106,12 +118,8 @@ inline std::string model_3_0() {
 <Control><analysis>STATIC</analysis><time_steps>4</time_steps><step_size>0.5</step_size>
 <solver><dtol>0.002</dtol><etol>0.03</etol><max_refs>15</max_refs></solver></Control>
 )" + materials() +
-         "<Mesh><Nodes name=\"all\">" + mesh_of("name=\"lower\"", "name=\"upper\"", "n") +
-         R"(<SurfacePair name="touch"><primary>low face</primary><secondary>up_face</secondary>
-</SurfacePair></Mesh>
-<MeshDomains><SolidDomain name="lower" mat="soft one"/><SolidDomain name="upper" mat="plate"/>
-</MeshDomains>
-<Boundary><bc name="hold" type="fix" node_set="bottom"><dofs>x,y,z</dofs></bc>
+         mesh_and_domains() +
+         R"(<Boundary><bc name="hold" type="fix" node_set="bottom"><dofs>x,y,z</dofs></bc>
 <bc name="shear" type="prescribe" node_set="top"><dof>x</dof><scale lc="1">0.1</scale>
 <relative>0</relative></bc></Boundary>
 <Rigid><rigid_constraint name="guide" type="fix"><rb>2</rb><dofs>Rx,Ru,Rv,Rw</dofs>
@@ -120,15 +128,8 @@ inline std::string model_3_0() {
 </rigid_constraint>
 <rigid_constraint type="force"><rb>plate</rb><dof>Ry</dof><value lc="1">0.5</value>
 </rigid_constraint></Rigid>
-<Loads><nodal_load name="pull" type="nodal_load" node_set="top"><dof>y</dof>
-<scale lc="2">0.25</scale></nodal_load>
-<surface_load name="push" type="pressure" surface="low face"><pressure lc="1">0.3</pressure>
-</surface_load>
-<body_load type="const"><z lc="1">9.8</z></body_load></Loads>
-<Contact><contact name="touch" type="sliding-facet-on-facet" surface_pair="touch">
-)" + contact_parameters() +
-         R"(</contact></Contact>
-<LoadData><load_controller id="1" type="loadcurve"><interpolate>SMOOTH</interpolate>
+)" + loads_and_contact() +
+         R"(<LoadData><load_controller id="1" type="loadcurve"><interpolate>SMOOTH</interpolate>
 <points><point>0,0</point><point>1,0.5</point><point>2,1</point></points></load_controller>
 <load_controller id="2" type="loadcurve"><interpolate>STEP</interpolate><extend>REPEAT</extend>
 <points><point>0,0</point><point>1,1</point></points></load_controller></LoadData>

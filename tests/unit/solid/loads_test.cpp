@@ -13,11 +13,9 @@
 using namespace abut;
 using namespace abut::solid;
 using fem::CellType;
+using test::all_cells;
 
 namespace {
-
-const CellType all_cells[] = {CellType::hex8, CellType::hex20, CellType::hex27,
-                              CellType::tet4, CellType::tet10, CellType::wedge6};
 
 mesh::Mesh one_element(CellType type, std::mt19937& engine, double distortion = 0.08) {
   mesh::Mesh mesh = test::separate_elements(

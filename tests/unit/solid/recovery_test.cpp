@@ -10,11 +10,9 @@
 using namespace abut;
 using namespace abut::solid;
 using fem::CellType;
+using test::all_cells;
 
 namespace {
-
-const CellType all_cells[] = {CellType::hex8, CellType::hex20, CellType::hex27,
-                              CellType::tet4, CellType::tet10, CellType::wedge6};
 
 /// A distorted element with straight edges, moved at random.
 template <CellType C> struct Moved {

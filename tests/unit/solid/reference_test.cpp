@@ -9,11 +9,9 @@
 using namespace abut;
 using namespace abut::solid;
 using fem::CellType;
+using test::all_cells;
 
 namespace {
-
-const CellType all_cells[] = {CellType::hex8, CellType::hex20, CellType::hex27,
-                              CellType::tet4, CellType::tet10, CellType::wedge6};
 
 std::vector<Vec3> scaled(CellType type, double sx, double sy, double sz) {
   std::mt19937 engine(1);

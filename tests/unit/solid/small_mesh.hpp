@@ -11,6 +11,10 @@
 /// Meshes of a few elements on one rank.
 namespace abut::test {
 
+inline constexpr fem::CellType all_cells[] = {fem::CellType::hex8,  fem::CellType::hex20,
+                                              fem::CellType::hex27, fem::CellType::tet4,
+                                              fem::CellType::tet10, fem::CellType::wedge6};
+
 /// Corner positions of a cell, moved at random by up to `amount`.
 inline std::vector<Vec3> distorted_corners(fem::CellType type, double amount,
                                            std::mt19937& engine) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "abut/core/window.hpp"
+
 #include <array>
 #include <set>
 #include <string>
@@ -32,6 +34,9 @@ public:
 private:
   std::vector<std::pair<std::string, std::string>> items_;
 };
+
+/// Keys 'from' and 'until' where something does not hold in the whole run.
+void add_window(FlowMap& map, const Window& window);
 
 /// Names of a deck's section made from another program's: letters, digits and _ alone, each once.
 class DeckNames {
